@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Reads the options of the bench and runs it.
+#include "editor/cli/bench_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "editor/cli/arguments.hpp"
+#include "editor/cli/bench.hpp"
+
+namespace steradian::bench {
+
+namespace {
+
+struct Arguments {
+  BenchOptions options;
+  std::string size;
+  std::filesystem::path firstPixel;
+  bool json = false, skipFirstPixel = false, noTargets = false;
+};
+
+int runBench(Arguments arguments, const std::vector<std::string>& self) {
+  BenchOptions& options = arguments.options;
+  if (!arguments.size.empty()) options.size = cli::parseSize(arguments.size);
+  if (!arguments.firstPixel.empty()) {
+    renderFirstPixel(arguments.firstPixel, options);
+    return 0;
+  }
+  if (options.projects.empty())
+    throw Error(ExitCode::usage,
+                "bench: name at least one project, e.g. steradian bench projects/thesis-room");
+  if (!arguments.skipFirstPixel) options.firstPixelCommand = self;
+  if (arguments.noTargets) options.targets.clear();
+  const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
+  std::vector<BenchResult> results;
+  for (const auto& project : options.projects)
+    results.push_back(measure(host, project, options,
+                              [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); }));
+  std::fputs((arguments.json ? jsonOf(results) : textOf(results)).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> addBenchOptions(CLI::App& command, const std::vector<std::string>& self) {
+  auto arguments = std::make_shared<Arguments>();
+  BenchOptions& o = arguments->options;
+  command.add_option("projects", o.projects, "Projects to measure");
+  command.add_option("--device", o.device, "Vulkan device by index or part of its name");
+  command.add_option("--size", arguments->size, "Width and height in pixels instead of the project's");
+  command.add_option("--bounces", o.bounces, "Bounce limit instead of the project's")
+      ->check(CLI::Range(0, 64));
+  command.add_option("--runs", o.runs, "Interleaved runs, of which the median is reported")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--seconds", o.secondsPerRun, "Tracing time of one run")->check(CLI::PositiveNumber);
+  command.add_option("--target", o.targets, "Relative RMSE to reach, e.g. 0.01; repeatable")
+      ->check(CLI::PositiveNumber)
+      ->allow_extra_args(false);
+  command.add_flag("--no-target", arguments->noTargets, "Do not measure the time to an error");
+  command.add_option("--limit", o.targetSecondsLimit, "Longest time to an error, seconds")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--no-first-pixel", arguments->skipFirstPixel,
+                   "Do not measure the time to the first pixel");
+  command.add_option("--first-pixel", arguments->firstPixel)->group("");  // how the bench starts itself
+  command.add_option("--plugin-path", o.pluginPath, "Further folder with plugins; repeatable")
+      ->allow_extra_args(false);
+  command.add_flag("--json", arguments->json, "Machine-readable output");
+  return [arguments, self] { return runBench(*arguments, self); };
+}
+
+}  // namespace steradian::bench

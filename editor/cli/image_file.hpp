@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Reads images for `compare` and `info`. The reader lives in a module of its own, loaded at first use: its
+// image library takes a quarter of a second to load, which no other command should pay.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "renderer/image.hpp"
+
+namespace steradian::cli {
+
+struct ImageFile {
+  Image image;  // all channels as float; EXR scene-linear
+  std::string format;
+  std::map<std::string, std::string> metadata;
+};
+
+/// EXR or PNG, by the first bytes, never by the name. Throws Error(badInput | io) naming the file.
+ImageFile readImage(const std::filesystem::path& path);
+bool isImage(const std::filesystem::path& path);  // by the first bytes; false also when unreadable
+
+}  // namespace steradian::cli

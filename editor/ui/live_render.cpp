@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Keeping the picture up to date.
+#include "editor/ui/live_render.hpp"
+
+namespace steradian::ui {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds kMeasureInterval{600};
+
+}  // namespace
+
+Tonemapper tonemapperFor(const plugins::PluginHost& plugins, const DisplaySettings& display) {
+  const plugins::Contribution* found = plugins.tonemapper(display.tonemapper);
+  if (!found)
+    throw Error(ExitCode::plugin, "No plugin offers the tonemapper \"" + display.tonemapper +
+                                      "\". Choose another one in the inspector's Display tab.");
+  Tonemapper tonemapper{found->id, found->glsl, {}};
+  for (const plugins::Parameter& parameter : found->parameters) {
+    const auto stored = display.parameters.find(parameter.id);
+    const double value = stored == display.parameters.end() ? parameter.defaultValue : stored->second;
+    tonemapper.parameters.push_back({parameter.id, float(value)});
+  }
+  return tonemapper;
+}
+
+LiveRender::LiveRender(std::shared_ptr<gpu::Device> device, const plugins::PluginHost& plugins,
+                       Messages& messages)
+    : renderer_(std::move(device)), plugins_(plugins), messages_(messages) {}
+
+void LiveRender::showDisplay(const DisplaySettings& display) {
+  if (display_ == display) return;
+  display_ = display;
+  try {
+    renderer_.setDisplay(display);
+    renderer_.setTonemapper(tonemapperFor(plugins_, display));
+  } catch (const Error& error) {
+    messages_.error(error.what());
+  }
+}
+
+void LiveRender::show(const Snapshot& scene, const CameraView& view, Extent film) {
+  if (film.width < 1 || film.height < 1 || lost_) return;
+  showDisplay(scene->display);
+  if (scene == scene_ && view == view_ && film == film_) return;
+  scene_ = scene;
+  view_ = view;
+  film_ = film;
+  try {
+    renderer_.setScene(*scene, view, film);
+  } catch (const Error& error) {
+    messages_.error(error.what());
+  }
+  if (renderer_.stats().samples == 0) measuredAt_ = 0;
+}
+
+bool LiveRender::resting(std::uint64_t sampleLimit) const {
+  return lost_ || (sampleLimit > 0 && renderer_.stats().samples >= sampleLimit);
+}
+
+void LiveRender::measureWhenDue() {
+  const std::uint64_t samples = renderer_.stats().samples;
+  if (samples < measuredAt_) measuredAt_ = 0;  // it started over
+  const bool grown = samples >= 2 && samples >= measuredAt_ + measuredAt_ / 16 + 1;
+  if (!grown || !scene_->render.errorMeter || Clock::now() - measuredTime_ < kMeasureInterval) return;
+  renderer_.measureError();
+  measuredAt_ = samples;
+  measuredTime_ = Clock::now();
+}
+
+void LiveRender::advance(double budgetMs, std::uint64_t sampleLimit) {
+  if (!scene_ || resting(sampleLimit)) return;
+  try {
+    renderer_.tracePreviewing(budgetMs);
+    measureWhenDue();
+  } catch (const Error& error) {
+    lost_ = true;
+    messages_.error(std::string(error.what()) + " The picture stands still; save your work and restart.");
+  }
+}
+
+std::optional<PickResult> LiveRender::pick(int x, int y) {
+  if (!scene_ || lost_) return std::nullopt;
+  return renderer_.pick(x, y);
+}
+
+}  // namespace steradian::ui

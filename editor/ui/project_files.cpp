@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Files of documents.
+#include "editor/ui/project_files.hpp"
+
+#include <unistd.h>
+#include <algorithm>
+
+namespace steradian::ui {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A project folder means its one .srad.
+fs::path fileIn(const fs::path& path) {
+  std::error_code failed;
+  if (!fs::is_directory(path, failed)) return path;
+  fs::path found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, failed))
+    if (entry.path().extension() == ".srad") {
+      if (!found.empty()) return path;
+      found = entry.path();
+    }
+  return found.empty() ? path : found;
+}
+
+std::vector<std::string> extensionsOf(const plugins::PluginHost& plugins, plugins::Kind kind,
+                                      bool sceneOnly) {
+  std::vector<std::string> all;
+  for (const plugins::Contribution* contribution : plugins.contributions(kind))
+    if (!sceneOnly || contribution->takesScene)
+      all.insert(all.end(), contribution->extensions.begin(), contribution->extensions.end());
+  std::ranges::stable_partition(all, [](const std::string& extension) { return extension == ".srad"; });
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> ProjectFiles::importExtensions() const {
+  return extensionsOf(plugins_, plugins::Kind::importer, false);
+}
+
+std::vector<std::string> ProjectFiles::saveExtensions() const {
+  return extensionsOf(plugins_, plugins::Kind::exporter, true);
+}
+
+std::optional<Document> ProjectFiles::load(const fs::path& given) {
+  try {
+    const fs::path path = fs::absolute(fileIn(given)).lexically_normal();
+    const plugins::Progress progress{{}, {}, [this](const std::string& line) { messages_.note(line); }};
+    plugins::ImportResult result = plugins_.importScene(path, progress);
+    for (const plugins::ImportReport::Line& line : result.report.notKept)
+      messages_.warning(path.filename().string() + ": " + line.what + " was not kept: " + line.why);
+    recent_.add(path);
+    messages_.note("Opened " + path.string() + ".");
+    if (plugins_.exporterFor(path, false)) return Document(std::move(result.scene), path);
+    Document imported(std::move(result.scene));  // what cannot be written back is a new project
+    imported.markUnsaved();
+    return imported;
+  } catch (const std::exception& error) {
+    messages_.error(error.what());
+    recent_.remove(given);
+    return std::nullopt;
+  }
+}
+
+bool ProjectFiles::save(Document& document, const fs::path& path) {
+  try {
+    plugins_.exportScene(document.committed(), path);
+    document.markSaved(path);
+    recent_.add(path);
+    messages_.note("Saved " + path.string() + ".");
+    return true;
+  } catch (const std::exception& error) {
+    messages_.error(error.what());
+    return false;
+  }
+}
+
+std::optional<fs::path> ProjectFiles::rescue(const Document& document) {
+  const std::optional<fs::path> folder = stateFolder();
+  if (!folder || !document.unsaved()) return std::nullopt;
+  try {
+    fs::create_directories(*folder);
+    const fs::path stem = document.path().empty() ? "untitled" : document.path().stem();
+    const fs::path path = *folder / ("rescued-" + stem.string() + "-" + std::to_string(getpid()) + ".srad");
+    plugins_.exportScene(document.committed(), path);
+    return path;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace steradian::ui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Slices, the decision when to stop, and the file at the end.
+#include "editor/ui/still_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/still.hpp"
+
+namespace steradian::ui {
+
+namespace {
+
+constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+}  // namespace
+
+StillJob::StillJob(std::shared_ptr<gpu::Device> device, const Scene& scene, const CameraView& view,
+                   const Tonemapper& tonemapper, StillSettings settings)
+    : settings_(std::move(settings)),
+      renderer_(std::move(device)),
+      seed_(scene.render.seed),
+      sceneName_(scene.name) {
+  Scene still = scene;
+  still.render.width = settings_.size.width;
+  still.render.height = settings_.size.height;
+  if (settings_.byError) still.render.errorMeter = true;
+  renderer_.setTonemapper(tonemapper);
+  renderer_.setDisplay(still.display);
+  renderer_.setScene(still, view, settings_.size);
+  renderer_.setSampleRange(0, settings_.byError ? kNoLimit : std::uint64_t(settings_.samples));
+}
+
+StillJob::~StillJob() = default;
+
+const RenderStats& StillJob::stats() const {
+  return renderer_.stats();
+}
+
+double StillJob::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+bool StillJob::goodEnough() const {
+  const ErrorEstimate& error = stats().error;
+  return settings_.byError && error.valid && error.relRmse <= 0.01 * settings_.errorPercent;
+}
+
+void StillJob::measure() {
+  renderer_.measureError();
+  measuredAt_ = stats().samples;
+  measureAt_ = nextMeasurement(measuredAt_, stats().error, 0.01 * settings_.errorPercent);
+}
+
+bool StillJob::advance(double budgetMs) {
+  const bool more = renderer_.trace(budgetMs);
+  if (stats().samples >= measureAt_) measure();
+  return !more || goodEnough();
+}
+
+double StillJob::fraction() const {
+  const double samples = double(stats().samples);
+  if (!settings_.byError) return std::clamp(samples / std::max(settings_.samples, 1), 0.0, 1.0);
+  const ErrorEstimate& error = stats().error;
+  if (!error.valid || !(error.relRmse > 0.0)) return 0.0;
+  // Under Owen-scrambled Sobol the error falls a little faster than samples^-1/2; the pessimistic rate is
+  // shown.
+  const double needed = double(measuredAt_) * std::pow(error.relRmse / (0.01 * settings_.errorPercent), 2.0);
+  return std::clamp(samples / std::max(needed, 1.0), 0.0, 1.0);
+}
+
+std::optional<double> StillJob::remainingSeconds() const {
+  const double done = fraction();
+  if (done < 0.01) return std::nullopt;
+  return seconds() * (1.0 - done) / done;
+}
+
+void StillJob::write(const plugins::PluginHost& plugins, const std::string& device) {
+  if (stats().samples >= 2) renderer_.measureError();
+  const Image radiance = renderer_.radiance(), displayed = renderer_.displayed();
+  plugins::ImageToSave image{
+      radiance.width, radiance.height, radiance.pixels.data(), displayed.pixels.data(), {}};
+  image.metadata = {{"Software", "Steradian"},
+                    {"steradian:scene", sceneName_},
+                    {"steradian:samples", std::to_string(stats().samples)},
+                    {"steradian:seed", std::to_string(seed_)},
+                    {"steradian:device", device}};
+  if (stats().error.valid) image.metadata["steradian:relRmse"] = std::to_string(stats().error.relRmse);
+  plugins.exportImage(image, settings_.path);
+}
+
+}  // namespace steradian::ui

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// Rows of a property list: name on the left, value on the right, meaning in the tooltip.
+#include "editor/ui/widgets.hpp"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "editor/ui/style.hpp"
+
+namespace steradian::ui {
+
+namespace {
+
+constexpr float kNameShare = 0.40f;  // of the row's width
+constexpr float kTooltipDelay = 0.45f;
+
+std::string formatOf(const NumberField& field) {
+  std::string unit;
+  for (const char* c = field.unit; *c; ++c) unit += *c == '%' ? std::string("%%") : std::string(1, *c);
+  return "%." + std::to_string(field.decimals) + "f" + unit;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+std::string helpOf(const NumberField& field) {
+  std::string help = std::string(field.help) + "\nRange " + shortNumber(field.minimum) + " to " +
+                     (field.maximum >= 1e9 ? "any size" : shortNumber(field.maximum)) + field.unit;
+  if (field.standard) help += ", default " + shortNumber(*field.standard) + field.unit;
+  return help + ".\nDrag, or double-click to type.";
+}
+
+ImGuiSliderFlags flagsOf(const NumberField& field) {
+  return ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |
+         (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+}
+
+bool drawNumber(const NumberField& field, const char* id, double& value, const std::string& format) {
+  const ImGuiDataType type = ImGuiDataType_Double;
+  if (field.slider)
+    return ImGui::SliderScalar(id, type, &value, &field.minimum, &field.maximum, format.c_str(),
+                               flagsOf(field));
+  // A drag that moves by a share of the value feels the same for a lamp of 1 cd and of 100,000 cd.
+  const double speed = field.logarithmic ? std::max(std::abs(value) * 0.01, 1e-4) : field.speed;
+  const ImGuiSliderFlags flags = flagsOf(field) & ~ImGuiSliderFlags_Logarithmic;
+  return ImGui::DragScalar(id, type, &value, float(speed), &field.minimum, &field.maximum, format.c_str(),
+                           flags);
+}
+
+void delayedTooltip(const char* text) {
+  if (!ImGui::IsItemHovered() || ImGui::IsAnyItemActive()) return;
+  if (ImGui::GetCurrentContext()->HoveredIdTimer > kTooltipDelay) tooltip(text);
+}
+
+}  // namespace
+
+void tooltip(const char* text) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void dimText(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void Fields::begin(const char* name, const char* help) {
+  current_ = name;
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(172, 176, 183, 255));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(at, {at.x + width * kNameShare - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
+  ImGui::TextUnformatted(name);
+  ImGui::PopClipRect();
+  ImGui::PopStyleColor();
+  if (help && ImGui::IsItemHovered()) tooltip(help);
+  ImGui::SameLine(left + width * kNameShare);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  ImGui::PushID(name);
+}
+
+void Fields::end(bool changed) {
+  ui_.mark(scopedLabel());
+  ImGui::PopID();
+  if (changed) lastChanged_ = current_;
+}
+
+std::string Fields::changeName() const {
+  std::string name = lastChanged_;
+  if (!name.empty()) name[0] = char(std::tolower(static_cast<unsigned char>(name[0])));
+  return "Change " + name;
+}
+
+bool Fields::offerReset(const NumberField& field, double& value) {
+  if (!field.standard || !ImGui::BeginPopupContextItem("reset")) return false;
+  const std::string text = "Reset to " + shortNumber(*field.standard) + field.unit;
+  const bool reset = ImGui::MenuItem(text.c_str());
+  if (reset) value = *field.standard;
+  ImGui::EndPopup();
+  return reset;
+}
+
+bool Fields::number(const NumberField& field, double& value) {
+  begin(field.name, field.help);
+  bool changed = drawNumber(field, "##value", value, formatOf(field));
+  ui_.mark(scopedLabel());
+  delayedTooltip(helpOf(field).c_str());
+  changed |= offerReset(field, value);
+  ImGui::PopID();
+  if (changed) lastChanged_ = field.name;
+  return changed;
+}
+
+bool Fields::number(const NumberField& field, float& value) {
+  double wide = value;
+  const bool changed = number(field, wide);
+  if (changed) value = float(wide);
+  return changed;
+}
+
+bool Fields::integer(const NumberField& field, int& value) {
+  double wide = value;
+  const bool changed = number(field, wide);
+  const int rounded = int(std::lround(wide));
+  const bool differs = changed && rounded != value;
+  if (differs) value = rounded;
+  return differs;
+}
+
+bool Fields::vector(const NumberField& field, glm::dvec3& value, const char* axes) {
+  bool changed = false;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = std::string(field.name) + " " + axes[i];
+    NumberField component = field;
+    component.name = name.c_str();
+    if (number(component, value[i])) {
+      changed = true;
+      lastChanged_ = field.name;
+    }
+  }
+  return changed;
+}
+
+bool Fields::vector(const NumberField& field, glm::dvec2& value, const char* axes) {
+  bool changed = false;
+  for (int i = 0; i < 2; ++i) {
+    const std::string name = std::string(field.name) + " " + axes[i];
+    NumberField component = field;
+    component.name = name.c_str();
+    if (number(component, value[i])) {
+      changed = true;
+      lastChanged_ = field.name;
+    }
+  }
+  return changed;
+}
+
+bool Fields::toggle(const char* name, const char* help, bool& value) {
+  begin(name, help);
+  const bool changed = ImGui::Checkbox("##value", &value);
+  delayedTooltip(help);
+  end(changed);
+  return changed;
+}
+
+bool Fields::choice(const char* name, const char* help, std::initializer_list<const char*> choices,
+                    int& index) {
+  begin(name, help);
+  const bool open = ImGui::BeginCombo("##value", choices.begin()[index]);
+  ui_.mark(scopedLabel());
+  if (!open) delayedTooltip(help);
+  bool changed = false;
+  if (open) {
+    for (int i = 0; i < int(choices.size()); ++i) {
+      if (ImGui::Selectable(choices.begin()[i], i == index) && i != index) {
+        index = i;
+        changed = true;
+      }
+      ui_.mark(scopedLabel() + "/" + choices.begin()[i]);
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::PopID();
+  if (changed) lastChanged_ = name;
+  return changed;
+}
+
+bool Fields::text(const char* name, const char* help, std::string& value) {
+  begin(name, help);
+  const bool changed = ImGui::InputText("##value", &value, ImGuiInputTextFlags_AutoSelectAll);
+  delayedTooltip(help);
+  end(changed);
+  return changed;
+}
+
+bool Fields::linearColor(const char* name, const char* help, glm::vec3& linear, bool unbounded) {
+  begin(name, help);
+  float encoded[3];
+  for (int i = 0; i < 3; ++i) encoded[i] = srgbFromLinear(linear[i]);
+  const ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_PickerHueWheel |
+                                    (unbounded ? ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_DisplayRGB
+                                               : ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_Uint8);
+  const bool changed =
+      ImGui::ColorEdit3("##value", encoded, flags & ~(unbounded ? 0 : ImGuiColorEditFlags_Float));
+  end(changed);
+  if (changed)
+    for (int i = 0; i < 3; ++i) linear[i] = std::max(0.0f, linearFromSrgb(encoded[i]));
+  return changed;
+}
+
+void Fields::note(const char* name, const std::string& text, const char* help) {
+  begin(name, help);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, color::kDim);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  if (help && ImGui::IsItemHovered()) tooltip(help);
+  end(false);
+}
+
+bool section(Ui& ui, const char* title, bool openAtFirst) {
+  ImGui::Dummy({0, ui.px(1)});
+  const bool open =
+      ImGui::CollapsingHeader(title, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  ui.mark(std::string("section/") + title);
+  return open;
+}
+
+bool button(Ui& ui, const char* text, std::string_view label, const char* help, float width) {
+  const bool pressed = ImGui::Button(text, {width, 0});
+  ui.mark(label);
+  if (help) delayedTooltip(help);
+  return pressed;
+}
+
+bool mainButton(Ui& ui, const char* text, std::string_view label, float width) {
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(196, 130, 56, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(214, 146, 66, 255));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(232, 160, 76, 255));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(24, 20, 14, 255));
+  const bool pressed = button(ui, text, label, nullptr, width);
+  ImGui::PopStyleColor(4);
+  return pressed;
+}
+
+float srgbFromLinear(float linear) {
+  if (linear <= 0.0031308f) return 12.92f * linear;
+  return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float linearFromSrgb(float encoded) {
+  if (encoded <= 0.04045f) return encoded / 12.92f;
+  return std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace steradian::ui

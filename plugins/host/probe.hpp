@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Opens an unknown plugin in a child process first, so that a crash of its static initialisers costs one
+// line.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plugins/host/plugin_host.hpp"
+
+namespace steradian::plugins {
+
+struct ProbeResult {
+  std::string reason;  // why it cannot be used; empty = it can
+  std::vector<Contribution> contributions;
+};
+
+/// A running probe. Start several, then collect: they run side by side.
+class Probe {
+ public:
+  explicit Probe(const std::filesystem::path& file);
+  Probe(Probe&& other) noexcept;
+  Probe& operator=(Probe&&) = delete;
+  ~Probe();  // kills a child that was not collected
+
+  /// Waits at most 10 s for the child, then kills it.
+  ProbeResult collect();
+
+ private:
+  int child_ = -1;  // process id
+  int pipe_ = -1;
+  std::string startFault_;
+};
+
+}  // namespace steradian::plugins

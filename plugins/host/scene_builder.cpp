@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// The sink: collects what an importer pushes and makes a validated Scene of it, or nothing.
+#include "plugins/host/scene_builder.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "plugins/host/utf8.hpp"
+
+namespace steradian::plugins {
+
+namespace {
+
+glm::dvec3 vec3Of(const double (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
+glm::vec3 vec3Of(const float (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
+
+Light lightOf(const sdk::ObjectRecord& r) {
+  Light light{.color = vec3Of(r.color), .intensity = r.intensity};
+  if (r.kind == sdk::ObjectKind::spotLight) light.kind = SpotLight{r.innerConeAngle, r.outerConeAngle};
+  if (r.kind == sdk::ObjectKind::directionalLight) light.kind = DirectionalLight{};
+  return light;
+}
+
+/// False for a kind that this version does not know.
+bool contentOf(const sdk::ObjectRecord& r, Object& out) {
+  const auto shape = [&](Shape s) { out.content = Geometry{s, Id{r.material}}; };
+  switch (r.kind) {
+    case sdk::ObjectKind::group:
+      out.content = Group{};
+      return true;
+    case sdk::ObjectKind::sphere:
+      shape(Sphere{r.radius});
+      return true;
+    case sdk::ObjectKind::plane:
+      shape(Plane{});
+      return true;
+    case sdk::ObjectKind::box:
+      shape(Box{vec3Of(r.dimensions)});
+      return true;
+    case sdk::ObjectKind::rect:
+      shape(Rect{{r.dimensions[0], r.dimensions[1]}});
+      return true;
+    case sdk::ObjectKind::disk:
+      shape(Disk{r.radius});
+      return true;
+    case sdk::ObjectKind::cylinder:
+      shape(Cylinder{r.radius, r.height});
+      return true;
+    case sdk::ObjectKind::pointLight:
+    case sdk::ObjectKind::spotLight:
+    case sdk::ObjectKind::directionalLight:
+      out.content = lightOf(r);
+      return true;
+    case sdk::ObjectKind::camera:
+      out.content = Camera{r.fovY};
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <class Work>
+void SceneBuilder::keeping(Work&& work) noexcept try {
+  work();
+} catch (const std::exception&) {
+  outOfMemory_ = true;  // copying plain data fails for no other reason
+}
+
+std::string SceneBuilder::textOf(const sdk::Text& text, const std::string& where) {
+  if (!isUtf8(text.view())) {
+    problems_.push_back({where, "is not valid UTF-8"});
+    return {};
+  }
+  return text.str();
+}
+
+void SceneBuilder::setScene(const sdk::SceneRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    scene_.name = textOf(r.name, "name");
+    scene_.extras = textOf(r.extras, "extras");
+    scene_.activeCamera = Id{r.activeCamera};
+    scene_.nextId = Id{r.nextId};
+    scene_.animation.framesPerSecond = r.framesPerSecond;
+  });
+}
+
+void SceneBuilder::setRender(const sdk::RenderSettingsRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    if (r.filter > 1) problems_.push_back({"render.filter", "is unknown"});
+    scene_.render = {.width = r.width,
+                     .height = r.height,
+                     .maxBounces = r.maxBounces,
+                     .lightSamples = r.lightSamples,
+                     .russianRoulette = r.russianRoulette != 0,
+                     .errorMeter = r.errorMeter != 0,
+                     .filter = PixelFilter{r.filter},
+                     .seed = r.seed};
+  });
+}
+
+void SceneBuilder::setDisplay(const sdk::DisplaySettingsRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    if (r.transfer > 1) problems_.push_back({"display.transfer", "is unknown"});
+    scene_.display = {.exposure = r.exposure,
+                      .tonemapper = textOf(r.tonemapper, "display.tonemapper"),
+                      .transfer = Transfer{r.transfer},
+                      .gamma = r.gamma};
+    for (std::uint64_t i = 0; i < r.parameterCount; ++i)
+      scene_.display.parameters[textOf(r.parameters[i].id, "display.parameters")] =
+          float(r.parameters[i].value);
+  });
+}
+
+void SceneBuilder::addMaterial(const sdk::MaterialRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    const std::string where = "material #" + std::to_string(r.id);
+    scene_.materials.push_back({.id = Id{r.id},
+                                .name = textOf(r.name, where + ".name"),
+                                .albedo = vec3Of(r.albedo),
+                                .metallic = r.metallic,
+                                .roughness = r.roughness,
+                                .specular = r.specular,
+                                .ior = r.ior,
+                                .emissionColor = vec3Of(r.emissionColor),
+                                .emissionLuminance = r.emissionLuminance,
+                                .extras = textOf(r.extras, where + ".extras")});
+  });
+}
+
+void SceneBuilder::addObject(const sdk::ObjectRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    const std::string where = "object #" + std::to_string(r.id);
+    Object object{.id = Id{r.id}, .name = textOf(r.name, where + ".name"), .parent = Id{r.parent}};
+    object.transform.translation = vec3Of(r.translation);
+    object.transform.rotation = glm::dquat(r.rotation[3], r.rotation[0], r.rotation[1], r.rotation[2]);
+    object.transform.scale = vec3Of(r.scale);
+    object.visible = r.visible != 0;
+    object.extras = textOf(r.extras, where + ".extras");
+    if (!contentOf(r, object)) problems_.push_back({where, "is of an unknown kind"});
+    scene_.objects.push_back(std::move(object));
+  });
+}
+
+void SceneBuilder::addChannel(const sdk::ChannelRecord& theirs) noexcept {
+  keeping([&] {
+    const auto r = sdk::adopt(theirs);
+    const std::string where = "animation.channels[" + std::to_string(scene_.animation.channels.size()) + "]";
+    if (r.property > 4 || r.interpolation > 2)
+      problems_.push_back({where, "has an unknown property or interpolation"});
+    Channel channel{Id{r.target}, Property(r.property), Interpolation(r.interpolation)};
+    for (std::uint64_t i = 0; i < r.keyCount; ++i) {
+      const sdk::Key& key = r.keys[i];
+      channel.keys.push_back({key.time, {key.value[0], key.value[1], key.value[2], key.value[3]}});
+    }
+    scene_.animation.channels.push_back(std::move(channel));
+  });
+}
+
+Scene SceneBuilder::finish(std::vector<Problem>& problems) {
+  std::uint32_t highest = 0;
+  for (const Object& object : scene_.objects) highest = std::max(highest, std::uint32_t(object.id));
+  for (const Material& material : scene_.materials) highest = std::max(highest, std::uint32_t(material.id));
+  if (highest == UINT32_MAX)
+    problems_.push_back({"id", "is 4294967295, the last there is; expected a smaller number"});
+  else
+    scene_.nextId = std::max(scene_.nextId, Id{highest + 1});
+  problems = std::move(problems_);
+  const auto rules = problemsOf(scene_);
+  problems.insert(problems.end(), rules.begin(), rules.end());
+  return std::move(scene_);
+}
+
+}  // namespace steradian::plugins

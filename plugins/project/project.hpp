@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The two halves of the project file plugin, and the names that both use.
+#pragma once
+#include <steradian/plugin.hpp>
+#include <string_view>
+
+namespace project {
+
+inline constexpr std::uint32_t kVersion = 1;  // what this plugin writes, and the newest that it reads
+
+inline constexpr const char* kFilters[] = {"box", "blackmanHarris"};
+inline constexpr const char* kTransfers[] = {"srgb", "gamma"};
+inline constexpr const char* kProperties[] = {"translation", "rotation", "scale", "lightIntensity",
+                                              "lightColor"};
+inline constexpr std::size_t kPropertySizes[] = {3, 4, 3, 1, 3};  // numbers of a key's value
+inline constexpr const char* kInterpolations[] = {"step", "linear", "cubic"};
+inline constexpr const char* kContents[] = {
+    "group",     "sphere",           "plane", "box", "rect", "disk", "cylinder", "pointLight",
+    "spotLight", "directionalLight", "camera"};
+
+/// Throws BadInput with place, what was expected and what was found.
+void readProject(steradian::sdk::Host& host, std::string_view bytes, steradian::sdk::SceneSink& sink);
+void writeProject(steradian::sdk::Host& host, steradian::sdk::SceneView& view,
+                  steradian::sdk::Writer& writer);
+
+}  // namespace project

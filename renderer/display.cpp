@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/display.hpp"
+
+#include <cmath>
+
+#include "renderer/glsl_compiler.hpp"
+#include "renderer/shader_code.hpp"
+
+namespace steradian {
+namespace {
+
+constexpr std::size_t maxParameters = std::size(decltype(gpu::DisplayParams::parameters){});
+
+// Until a tonemapper is set: the display's range as it is.
+const Tonemapper identity{"none", "vec3 tonemap(vec3 sceneLinear) { return sceneLinear; }\n", {}};
+
+}  // namespace
+
+std::string displaySource(const Tonemapper& tonemapper) {
+  if (tonemapper.parameters.size() > maxParameters)
+    throw Error(ExitCode::plugin, tonemapper.id + ": has " + std::to_string(tonemapper.parameters.size()) +
+                                      " parameters; at most " + std::to_string(maxParameters) +
+                                      " are possible");
+  std::string source = "#version 460\n";
+  source += gpuTypesText();
+  source += "layout(push_constant) uniform Push { DisplayParams display; };\n";
+  std::string assignments;
+  for (std::size_t i = 0; i < tonemapper.parameters.size(); ++i) {
+    const std::string& id = tonemapper.parameters[i].id;
+    source += "float " + id + ";\n";
+    assignments += "  " + id + " = display.parameters[" + std::to_string(i) + "];\n";
+  }
+  source += "void setTonemapperParameters() {\n" + assignments + "}\n#line 1\n";
+  source += tonemapper.glsl;
+  source += "\n";
+  source += displayFragmentText();
+  return source;
+}
+
+Display::Display(const gpu::Device& device) : device_(device) {
+  setTonemapper(identity);
+}
+
+void Display::setTonemapper(const Tonemapper& tonemapper) {
+  if (version_ > 0 && tonemapper == tonemapper_) {
+    tonemapper_.parameters = tonemapper.parameters;
+    return;
+  }
+  spirv_ = compileGlsl(displaySource(tonemapper), ShaderStage::fragment, tonemapper.id);
+  tonemapper_ = tonemapper;
+  ++version_;
+}
+
+gpu::DisplayParams Display::params(Extent film, PixelRect rect) const {
+  gpu::DisplayParams p{};
+  p.rectX = float(rect.x);
+  p.rectY = float(rect.y);
+  p.rectWidth = float(rect.width);
+  p.rectHeight = float(rect.height);
+  p.width = std::uint32_t(film.width);
+  p.height = std::uint32_t(film.height);
+  p.exposureScale = std::exp2(settings_.exposure);
+  p.transfer = std::uint32_t(settings_.transfer);
+  p.inverseGamma = 1.0f / settings_.gamma;
+  for (std::size_t i = 0; i < tonemapper_.parameters.size(); ++i) {
+    const auto chosen = settings_.parameters.find(tonemapper_.parameters[i].id);
+    p.parameters[i] = chosen != settings_.parameters.end() ? chosen->second : tonemapper_.parameters[i].value;
+  }
+  return p;
+}
+
+std::unique_ptr<gpu::GraphicsPass> Display::pipeline(vk::RenderPass renderPass) const {
+  return std::make_unique<gpu::GraphicsPass>(device_, displayVertexSpirv(), spirv_, renderPass,
+                                             std::span<const gpu::Specialization>{}, "display");
+}
+
+}  // namespace steradian

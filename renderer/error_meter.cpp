@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/error_meter.hpp"
+
+#include <cmath>
+
+#include "renderer/gpu/barriers.hpp"
+#include "renderer/shader_code.hpp"
+
+namespace steradian {
+
+using namespace gpu;
+
+ErrorMeter::ErrorMeter(const Device& device)
+    : device_(device), pass_(device, meterSpirv(), {}, "meter"), commands_(device, QueueKind::compute) {}
+
+MeterReading ErrorMeter::read(const Film& film, bool errorMeter) {
+  commands_.run([&](const auto& cmd) {
+    computeToCompute(cmd);
+    pass_.dispatch(cmd, film.bindings(), film.params(errorMeter), film.meterGroups(), 1);
+  });
+  const auto rows =
+      downloadAs<float>(device_, film.partials(), 0, std::size_t(film.meterGroups()) * METER_ROWS * 4);
+  double sums[6] = {};
+  for (std::size_t group = 0; group < rows.size(); group += METER_ROWS * 4)
+    for (int i = 0; i < 6; ++i) sums[i] += rows[group + i];
+  const double pixels = double(film.pixels());
+  return {sums[0] / pixels,       sums[1] / pixels,       std::uint64_t(sums[2]),
+          std::uint64_t(sums[3]), std::uint64_t(sums[4]), std::uint64_t(sums[5])};
+}
+
+double SlopeTracker::add(std::uint64_t samples, double rmse) {
+  if (samples_ > 0 && samples < 2 * samples_) return slope_;
+  if (samples_ > 0 && rmse > 0.0 && rmse_ > 0.0)
+    slope_ = std::log(rmse / rmse_) / std::log(double(samples) / double(samples_));
+  samples_ = samples;
+  rmse_ = rmse;
+  return slope_;
+}
+
+}  // namespace steradian

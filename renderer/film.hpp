@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Accumulated samples of one picture on the device, and how far they have come.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "renderer/gpu/buffer.hpp"
+#include "renderer/gpu/pass.hpp"
+#include "renderer/renderer.hpp"
+#include "shaders/gpu_types.h"
+
+namespace steradian {
+
+/// Samples are added in passes over all rows; a pass may take many dispatches of some rows each.
+struct FilmProgress {
+  std::uint64_t begin = 0;    // first sample index
+  std::uint64_t done = 0;     // next sample index of every row
+  std::uint64_t passEnd = 0;  // done after the pass in progress; == done between passes
+  int rowsDone = 0;           // of the pass in progress
+};
+
+/// Buffers as film.glsl declares them. One thread.
+class Film {
+ public:
+  /// Throws Error(noDevice) when memory or one binding is too small for the extent.
+  Film(const gpu::Device& device, Extent extent);
+
+  /// Bind with these scene rows (after each new row buffer).
+  void bind(const gpu::Buffer& rows);
+  void clear(std::uint64_t firstSample);
+
+  Extent extent() const { return extent_; }
+  std::size_t pixels() const { return std::size_t(extent_.width) * extent_.height; }
+  const gpu::Bindings& bindings() const { return *bindings_; }
+  const std::array<gpu::Buffer, 4>& buffers() const { return buffers_; }
+  /// Push constants of resolve and meter for what is accumulated now.
+  gpu::FilmParams params(bool errorMeter) const;
+
+  FilmProgress progress;
+
+  const gpu::Buffer& partials() const { return partials_; }
+  const gpu::Buffer& picked() const { return picked_; }
+  std::uint32_t meterGroups() const;
+
+ private:
+  const gpu::Device& device_;
+  Extent extent_;
+  std::array<gpu::Buffer, 4> buffers_;  // sumA, carryA, sumB, carryB
+  gpu::Buffer partials_, picked_;
+  std::optional<gpu::Bindings> bindings_;
+};
+
+/// Samples of half A (even indices) or B (odd) among [begin, end).
+std::uint32_t halfCount(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter);
+
+}  // namespace steradian

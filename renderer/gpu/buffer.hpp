@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Device memory for records and pixels, by need: who writes it and who reads it.
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "renderer/gpu/device.hpp"
+
+namespace steradian::gpu {
+
+enum class BufferKind {
+  deviceLocal,  // storage: the film; written and read by shaders, read by download()
+  upload,       // storage + uniform texels: scene rows; written by write(), read by shaders. Lies on the
+                // device; write() goes through a staging buffer when the host cannot reach that memory
+  readback      // written by copies, read through map(); host memory, cached
+};
+
+/// A movable buffer with its own memory. An empty one (default) holds nothing and binds as a dummy.
+class Buffer {
+ public:
+  Buffer() = default;
+  /// `what` names it in messages ("film"). Contents are undefined. Throws Error(noDevice): "the device has
+  /// not enough memory for N MiB (what)", or need and limit when one binding cannot be so large.
+  Buffer(const Device& device, BufferKind kind, std::size_t bytes, std::string what);
+
+  explicit operator bool() const { return bytes_ != 0; }
+  std::size_t size() const { return bytes_; }
+  vk::Buffer handle() const { return *buffer_; }
+  /// The buffer as RGBA32F texels (kind upload only, whole vec4 rows); null otherwise.
+  vk::BufferView texels() const { return *view_; }
+
+  /// Kinds upload and deviceLocal. Synchronous; wait first for submissions that use this range. Where the
+  /// host cannot reach the memory a copy is run on the compute queue, which must own the buffer.
+  void write(std::size_t offset, std::span<const std::byte> bytes);
+  template <class Row>
+  void writeRows(std::size_t offset, std::span<const Row> rows) {
+    write(offset, std::as_bytes(rows));
+  }
+  /// Host address, or null when the host cannot reach this memory. Mapped for the buffer's life, coherent.
+  std::byte* map() const { return mapped_; }
+
+ private:
+  void checkLimits(BufferKind kind) const;
+  bool allocate(vk::MemoryPropertyFlags properties);
+  void allocateFor(BufferKind kind);
+  void createView();
+
+  const Device* device_ = nullptr;
+  std::size_t bytes_ = 0;
+  std::string what_;
+  vk::raii::DeviceMemory memory_{nullptr};  // before the buffer, which must die first
+  vk::raii::Buffer buffer_{nullptr};
+  vk::raii::BufferView view_{nullptr};
+  std::byte* mapped_ = nullptr;
+};
+
+/// Copies [offset, offset + bytes) to the host on the queue that owns the buffer; waits for earlier
+/// submissions to that queue by a barrier. Offsets and sizes are multiples of 4 bytes.
+std::vector<std::byte> download(const Device& device, const Buffer& buffer, std::size_t offset,
+                                std::size_t bytes, QueueKind owner = QueueKind::compute);
+
+/// The same as an array of T.
+template <class T>
+std::vector<T> downloadAs(const Device& device, const Buffer& buffer, std::size_t firstByte,
+                          std::size_t count, QueueKind owner = QueueKind::compute) {
+  const std::vector<std::byte> bytes = download(device, buffer, firstByte, count * sizeof(T), owner);
+  std::vector<T> values(count);
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+/// Zeroes the whole buffer and waits for it.
+void fillZero(const Device& device, const Buffer& buffer, QueueKind owner = QueueKind::compute);
+/// The same as a command with the barriers around it (earlier shader accesses before, later ones after).
+void recordFillZero(const vk::raii::CommandBuffer& cmd, const Buffer& buffer);
+
+}  // namespace steradian::gpu

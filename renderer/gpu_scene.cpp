@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/gpu_scene.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include "renderer/gpu_shapes.hpp"
+#include "renderer/pixel_filter.hpp"
+
+namespace steradian {
+namespace {
+
+using namespace gpu;
+
+constexpr float mirrorAlpha = 1e-3f;  // MIRROR_ALPHA in bsdf.glsl
+// Planet-sized beside what stands on it, or in absolute terms: double-float needed.
+constexpr double largeRadiusMetres = 100.0, largeRadiusFactor = 1000.0;
+
+glm::vec4 bits(std::uint32_t x, std::uint32_t y) {
+  return {std::bit_cast<float>(x), std::bit_cast<float>(y), 0.0f, 0.0f};
+}
+
+std::vector<glm::vec4> cameraRows(const CameraView& view) {
+  const glm::dmat4& m = view.worldFromCamera;
+  return {glm::vec4(glm::vec3(m[0]), 0.0f), glm::vec4(glm::vec3(m[1]), 0.0f),
+          glm::vec4(glm::vec3(-m[2]), 0.0f)};
+}
+
+const std::vector<glm::vec4>& filterRows() {
+  static const std::vector<glm::vec4> rows = [] {
+    const std::vector<double> table = blackmanHarrisInverseCdf(FILTER_ROWS);
+    std::vector<glm::vec4> made;
+    for (std::uint32_t i = 0; i < FILTER_ROWS; ++i)
+      made.emplace_back(float(table[i]), float(table[i + 1] - table[i]), 0.0f, 0.0f);
+    return made;
+  }();
+  return rows;
+}
+
+std::uint32_t featuresOf(const Material& m) {
+  const float alpha = m.roughness * m.roughness;
+  const bool specular = m.metallic > 0.0f || m.specular > 0.0f;
+  return (m.metallic < 1.0f ? FEATURE_DIFFUSE : 0u) |
+         (specular && alpha >= mirrorAlpha ? FEATURE_GLOSSY : 0u) |
+         (specular && alpha < mirrorAlpha ? FEATURE_MIRROR : 0u) |
+         (m.emissionLuminance > 0.0f ? FEATURE_EMISSION : 0u);
+}
+
+void pushMaterial(std::vector<glm::vec4>& rows, const Material& m) {
+  const float ratio = (m.ior - 1.0f) / (m.ior + 1.0f);
+  rows.emplace_back(m.albedo, m.metallic);
+  rows.emplace_back(m.emissionColor * m.emissionLuminance, m.roughness * m.roughness);
+  rows.emplace_back(m.specular * ratio * ratio, m.specular, std::bit_cast<float>(featuresOf(m)), 0.0f);
+}
+
+std::uint32_t pushLight(std::vector<glm::vec4>& rows, const Light& light, const glm::dmat4& world,
+                        const glm::dvec3& origin) {
+  const glm::vec3 intensity = light.color * light.intensity;
+  const glm::vec3 position(glm::dvec3(world[3]) - origin);
+  const glm::vec3 axis(-glm::normalize(glm::dvec3(world[2])));
+  if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
+    const double cosOuter = std::cos(double(spot->outerConeAngle));
+    const double scale = 1.0 / std::max(1e-3, std::cos(double(spot->innerConeAngle)) - cosOuter);
+    rows.insert(rows.end(), {glm::vec4(position, float(LIGHT_SPOT)), glm::vec4(intensity, float(scale)),
+                             glm::vec4(axis, float(-cosOuter * scale))});
+    return FEATURE_SPOT_LIGHTS;
+  }
+  const bool directional = std::holds_alternative<DirectionalLight>(light.kind);
+  rows.emplace_back(directional ? -axis : position, float(directional ? LIGHT_DIRECTIONAL : LIGHT_POINT));
+  rows.emplace_back(intensity, 0.0f);
+  rows.emplace_back(0.0f);
+  return directional ? FEATURE_DIRECTIONAL_LIGHTS : FEATURE_POINT_LIGHTS;
+}
+
+struct Placed {
+  const Object* object;
+  glm::dmat4 world;
+};
+
+std::vector<Placed> visibleObjects(const Scene& scene) {
+  std::vector<Placed> placed;
+  for (const Object& o : scene.objects)
+    if (visibleInHierarchy(scene, o.id)) placed.push_back({&o, worldFromObject(scene, o.id)});
+  return placed;
+}
+
+double largeRadiusOf(const std::vector<Placed>& objects) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Placed& p : objects)
+    if (const auto* g = std::get_if<Geometry>(&p.object->content))
+      smallest = std::min(smallest, smallestExtent(g->shape, p.world));
+  return std::min(largeRadiusMetres, largeRadiusFactor * smallest);
+}
+
+struct MaterialTable {
+  std::vector<glm::vec4> rows;
+  std::map<Id, std::uint32_t> indexOf;
+  std::uint32_t features = 0;
+
+  // Only materials in use are uploaded; Id::none and lost ids get the default one.
+  std::uint32_t use(const Scene& scene, Id id) {
+    const Material* material = findMaterial(scene, id);
+    const Id key = material ? id : Id::none;
+    const auto [at, added] = indexOf.try_emplace(key, std::uint32_t(indexOf.size()));
+    if (added) {
+      pushMaterial(rows, material ? *material : Material{});
+      features |= featuresOf(material ? *material : Material{});
+    }
+    return at->second;
+  }
+};
+
+void appendShapes(GpuScene& out, const ShapeLists& lists) {
+  std::uint32_t* const counts[] = {&out.params.sphereCount,      &out.params.planeCount,
+                                   &out.params.largeSphereCount, &out.params.boxCount,
+                                   &out.params.rectCount,        &out.params.diskCount,
+                                   &out.params.cylinderCount,    &out.params.ellipsoidCount};
+  for (int k = 0; k < shapeKinds; ++k) {
+    const ShapeList& list = lists.kinds[k];
+    *counts[k] = std::uint32_t(list.links.size());
+    out.rows.insert(out.rows.end(), list.rows.begin(), list.rows.end());
+    if (!list.links.empty()) out.features |= 1u << k;
+  }
+  out.params.linkRow = std::uint32_t(out.rows.size());
+  for (const ShapeList& list : lists.kinds)
+    for (const SurfaceLink& link : list.links)
+      out.rows.push_back(bits(link.material, std::uint32_t(link.object)));
+  if (out.rows.size() == out.params.linkRow)
+    out.rows.push_back(bits(0, 0));  // an empty scene still reads a row
+}
+
+void applySettings(GpuScene& out, const RenderSettings& s) {
+  out.params.seed = s.seed;
+  out.params.maxBounces = std::uint32_t(std::clamp(s.maxBounces, 0, 64));
+  out.params.lightSamples = std::uint32_t(std::clamp(s.lightSamples, 1, int(MAX_LIGHT_SAMPLES)));
+  out.params.flags =
+      (s.errorMeter ? TRACE_ERROR_METER : 0u) | (s.russianRoulette ? TRACE_RUSSIAN_ROULETTE : 0u);
+  if (s.filter == PixelFilter::blackmanHarris) out.features |= FEATURE_FILTER_TABLE;
+}
+
+}  // namespace
+
+bool GpuScene::sameRadiance(const GpuScene& other) const {
+  return rows.size() == other.rows.size() && features == other.features &&
+         std::memcmp(&params, &other.params, sizeof params) == 0 &&
+         std::memcmp(rows.data(), other.rows.data(), rows.size() * sizeof(glm::vec4)) == 0;
+}
+
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
+  GpuScene out;
+  out.origin = glm::dvec3(view.worldFromCamera[3]);
+  out.params.width = std::uint32_t(film.width);
+  out.params.height = std::uint32_t(film.height);
+  out.params.pixelScale = float(2.0 * std::tan(0.5 * view.fovY) / film.height);
+  out.rows = cameraRows(view);
+  out.rows.insert(out.rows.end(), filterRows().begin(), filterRows().end());
+
+  const std::vector<Placed> objects = visibleObjects(scene);
+  const double largeRadius = largeRadiusOf(objects);
+  ShapeLists shapes;
+  MaterialTable materials;
+  std::vector<glm::vec4> lights;
+  for (const Placed& p : objects) {
+    if (const auto* g = std::get_if<Geometry>(&p.object->content)) {
+      shapes.add(g->shape, p.world, out.origin, {materials.use(scene, g->material), p.object->id},
+                 largeRadius);
+    } else if (const auto* light = std::get_if<Light>(&p.object->content)) {
+      out.features |= pushLight(lights, *light, p.world, out.origin);
+    }
+  }
+  if (materials.rows.empty()) materials.use(scene, Id::none);
+  appendShapes(out, shapes);
+  out.features |= materials.features;
+  out.params.materialRow = std::uint32_t(out.rows.size());
+  out.rows.insert(out.rows.end(), materials.rows.begin(), materials.rows.end());
+  out.params.lightRow = std::uint32_t(out.rows.size());
+  out.params.lightCount = std::uint32_t(lights.size() / LIGHT_ROWS);
+  out.rows.insert(out.rows.end(), lights.begin(), lights.end());
+  applySettings(out, scene.render);
+  return out;
+}
+
+}  // namespace steradian

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Analytic shapes -> rows, one list per kind in upload order.
+#pragma once
+#include <vector>
+
+#include "renderer/gpu_scene.hpp"
+
+namespace steradian {
+
+/// What a primitive is linked to, packed behind all shapes.
+struct SurfaceLink {
+  std::uint32_t material;  // index into the material table
+  Id object;
+};
+
+struct ShapeList {
+  std::vector<glm::vec4> rows;
+  std::vector<SurfaceLink> links;  // one per primitive
+};
+
+/// Kinds in upload order.
+enum ShapeKind { spheres, planes, largeSpheres, boxes, rects, disks, cylinders, ellipsoids, shapeKinds };
+
+struct ShapeLists {
+  ShapeList kinds[shapeKinds];
+  /// `worldFromObject` relative to nothing; `origin` is subtracted in double. Shapes without extent are
+  /// skipped.
+  void add(const Shape& shape, const glm::dmat4& worldFromObject, const glm::dvec3& origin, SurfaceLink link,
+           double largeRadius);
+};
+
+/// World radius of a sphere under a uniformly scaling transform; nothing when it is stretched to an
+/// ellipsoid.
+std::optional<double> sphereRadius(const Sphere& sphere, const glm::dmat4& worldFromObject);
+/// The smallest length of a bounded shape in the world, infinity for planes.
+double smallestExtent(const Shape& shape, const glm::dmat4& worldFromObject);
+
+}  // namespace steradian

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/renderer.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "renderer/gpu/barriers.hpp"
+#include "renderer/gpu/render_target.hpp"
+#include "renderer/renderer_impl.hpp"
+#include "renderer/shader_code.hpp"
+
+namespace steradian {
+
+using namespace gpu;
+
+namespace {
+
+std::uint64_t loopBudgetOf(const Device& device) {
+  return device.description().type == "CPU" ? cpuDriverLoopBudget : gpuLoopBudget;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl(std::shared_ptr<Device> opened)
+    : device(std::move(opened)),
+      variants(device),
+      tracer(*device),
+      meter(*device),
+      resolve(*device, resolveSpirv(), {}, "resolve"),
+      pick(*device, pickSpirv(), {}, "pick"),
+      display(*device) {}
+
+void Renderer::Impl::upload(GpuScene next, Extent extent) {
+  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device));
+  const std::size_t bytes = next.rows.size() * sizeof(glm::vec4);
+  const bool newFilm = !film || film->extent() != extent;
+  const bool newRows = rows.size() < bytes;
+  // Everything that can fail comes before anything is replaced.
+  auto freshFilm = newFilm ? std::make_shared<Film>(*device, extent) : film;
+  Buffer freshRows = newRows ? Buffer(*device, BufferKind::upload, std::bit_ceil(bytes), "scene") : Buffer();
+  if (newFilm) {
+    preview.reset();
+    showPreview = false;
+  }
+  film = std::move(freshFilm);
+  if (newRows) rows = std::move(freshRows);
+  rows.writeRows(0, std::span<const glm::vec4>(next.rows));
+  if (newFilm || newRows) film->bind(rows);
+  if (newRows && preview) preview->bind(rows);
+  scene = std::move(next);
+  plan = nextPlan;
+  restart();
+}
+
+void Renderer::Impl::restart() {
+  stale = true;
+  previewPending = true;
+  slope.reset();
+  tracer.totals = {};
+  const double compileSeconds = stats.compileSeconds;
+  stats = {};
+  stats.compileSeconds = compileSeconds;
+}
+
+Film& Renderer::Impl::currentFilm() {
+  if (stale) film->clear(sampleBegin);
+  stale = false;
+  return *film;
+}
+
+const ComputePass& Renderer::Impl::tracePass() {
+  const Variants::Choice choice = variants.choose(variantFor(scene));
+  stats.variant = describeVariant(choice.key);
+  return *choice.pass;
+}
+
+bool Renderer::Impl::traceFilm(double budgetMs) {
+  Film& target = currentFilm();
+  if (!tracer.step(target, tracePass(), scene, plan, sampleEnd, budgetMs)) return false;
+  if (target.progress.done > target.progress.begin) showPreview = false;
+  updateTiming();
+  return true;
+}
+
+void Renderer::Impl::updateTiming() {
+  const TraceTotals& t = tracer.totals;
+  stats.samples = film->progress.done - film->progress.begin;
+  stats.traceSeconds = t.milliseconds * 1e-3;
+  stats.msPerSample = t.pixelSamples > 0.0 ? t.milliseconds / t.pixelSamples * double(film->pixels()) : 0.0;
+  stats.compileSeconds = variants.compileSeconds();
+}
+
+int Renderer::Impl::previewFactor(double budgetMs) const {
+  const double ms = tracer.cost().msPerMegasample() * double(film->pixels()) * 1e-6;
+  int factor = 1;
+  while (factor < 8 && ms / (factor * factor) > budgetMs) factor *= 2;
+  return factor;
+}
+
+bool Renderer::Impl::tracePreview(double budgetMs) {
+  const int factor = previewFactor(budgetMs);
+  previewPending = false;
+  if (factor == 1) return traceFilm(budgetMs);
+  const Extent coarse{std::max(1, film->extent().width / factor),
+                      std::max(1, film->extent().height / factor)};
+  if (!preview || preview->extent() != coarse) {
+    preview = std::make_shared<Film>(*device, coarse);
+    preview->bind(rows);
+  }
+  preview->clear(sampleBegin);
+  GpuScene coarseScene = scene;
+  coarseScene.params.pixelScale *= float(film->extent().height) / float(coarse.height);
+  const TraceTotals before = tracer.totals;
+  constexpr double wholeFilm = 1e9;
+  tracer.step(*preview, tracePass(), coarseScene, plan, sampleBegin + 1, wholeFilm);
+  tracer.totals = before;
+  showPreview = true;
+  return true;
+}
+
+const ResolvedPicture& Renderer::Impl::resolveNow() {
+  currentFilm();
+  picture.prepare(*device, film);
+  device->run(QueueKind::compute, [&](const auto& cmd) {
+    computeToCompute(cmd);
+    fragmentToCompute(cmd);
+    picture.record(cmd, resolve, metered());
+  });
+  return picture;
+}
+
+Renderer::Renderer(std::shared_ptr<Device> device) : impl_(std::make_unique<Impl>(std::move(device))) {}
+Renderer::~Renderer() = default;
+
+void Renderer::setScene(const Scene& scene, const CameraView& view, Extent film) {
+  GpuScene next = packScene(scene, view, film);
+  const bool sameFilm = impl_->film && impl_->film->extent() == film;
+  if (sameFilm && next.sameRadiance(impl_->scene)) return;
+  impl_->upload(std::move(next), film);
+}
+
+void Renderer::setTonemapper(const Tonemapper& tonemapper) {
+  impl_->display.setTonemapper(tonemapper);
+}
+void Renderer::setDisplay(const DisplaySettings& display) {
+  impl_->display.setSettings(display);
+}
+
+void Renderer::setSampleRange(std::uint64_t begin, std::uint64_t end) {
+  constexpr std::uint64_t countable = 0xffffffffu;  // sample indices are 32-bit on the device
+  if (begin >= end || end > countable)
+    throw Error(ExitCode::usage, "The samples " + std::to_string(begin) + ":" + std::to_string(end) +
+                                     " are no range within 0:" + std::to_string(countable) + ".");
+  impl_->sampleBegin = begin;
+  impl_->sampleEnd = end;
+  impl_->restart();
+}
+
+void Renderer::allowSpecialization(bool allow) {
+  impl_->variants.allowSpecial(allow);
+}
+void Renderer::waitForSpecialization() {
+  impl_->variants.waitFor(variantFor(impl_->scene));
+}
+
+bool Renderer::trace(double budgetMs) {
+  return impl_->film && impl_->traceFilm(budgetMs);
+}
+
+bool Renderer::tracePreviewing(double budgetMs) {
+  if (!impl_->film) return false;
+  return impl_->previewPending ? impl_->tracePreview(budgetMs) : impl_->traceFilm(budgetMs);
+}
+
+const RenderStats& Renderer::stats() const {
+  return impl_->stats;
+}
+
+ErrorEstimate Renderer::measureError() {
+  if (!impl_->film) return {};
+  const Film& film = impl_->currentFilm();
+  const MeterReading r = impl_->meter.read(film, impl_->metered());
+  RenderStats& stats = impl_->stats;
+  stats.nanSamples = r.nan;
+  stats.faults = r.faults;
+  stats.raysClosest = r.raysClosest;
+  stats.raysShadow = r.raysShadow;
+  if (stats.traceSeconds > 0.0)
+    stats.mraysPerSecond = double(r.raysClosest + r.raysShadow) / stats.traceSeconds * 1e-6;
+  ErrorEstimate& e = stats.error;
+  e.valid = impl_->metered() && stats.samples >= 2;
+  if (!e.valid) return e;
+  e.rmse = std::sqrt(r.meanSquare);
+  e.relRmse = std::sqrt(r.meanRelativeSquare);
+  e.slope = impl_->slope.add(stats.samples, e.rmse);
+  return e;
+}
+
+std::optional<PickResult> Renderer::pick(int x, int y) {
+  if (!impl_->film || x < 0 || y < 0 || x >= impl_->film->extent().width || y >= impl_->film->extent().height)
+    return std::nullopt;
+  TraceParams params = impl_->scene.params;
+  params.pickX = std::uint32_t(x);
+  params.pickY = std::uint32_t(y);
+  impl_->device->run(QueueKind::compute, [&](const auto& cmd) {
+    computeToCompute(cmd);
+    impl_->pick.dispatch(cmd, impl_->film->bindings(), params, 1, 1);
+  });
+  const auto v = downloadAs<float>(*impl_->device, impl_->film->picked(), 0, PICK_ROWS * 4);
+  if (std::bit_cast<std::uint32_t>(v[0]) == NO_PRIMITIVE) return std::nullopt;
+  return PickResult{Id{std::bit_cast<std::uint32_t>(v[1])},
+                    impl_->scene.origin + glm::dvec3(v[4], v[5], v[6]), glm::dvec3(v[8], v[9], v[10]), v[2]};
+}
+
+Image Renderer::radiance() {
+  if (!impl_->film) return {};
+  const ResolvedPicture& resolved = impl_->resolveNow();
+  const Extent e = resolved.extent();
+  const std::size_t pixels = std::size_t(e.width) * e.height;
+  const auto rgba = downloadAs<float>(*impl_->device, resolved.buffer(), 0, pixels * 4);
+  Image image{e.width, e.height, 3, std::vector<float>(pixels * 3)};
+  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&rgba[i * 4], 3, &image.pixels[i * 3]);
+  return image;
+}
+
+std::pair<Image, Image> Renderer::halves() {
+  if (!impl_->film) return {};
+  const Film& film = impl_->currentFilm();
+  const FilmParams p = film.params(impl_->metered());
+  const auto read = [&](int half) {
+    const auto sum = downloadAs<float>(*impl_->device, film.buffers()[2 * half], 0, film.pixels() * 4);
+    const auto carry = downloadAs<float>(*impl_->device, film.buffers()[2 * half + 1], 0, film.pixels() * 4);
+    Image image{film.extent().width, film.extent().height, 3, std::vector<float>(film.pixels() * 3)};
+    for (std::size_t i = 0; i < film.pixels(); ++i) {
+      const bool ahead = i / p.width < p.splitRow;
+      const double n = half == 0 ? (ahead ? p.aheadA : p.samplesA) : (ahead ? p.aheadB : p.samplesB);
+      for (int c = 0; c < 3; ++c)
+        image.pixels[i * 3 + c] = float((double(sum[i * 4 + c]) - carry[i * 4 + c]) / std::max(n, 1.0));
+    }
+    return image;
+  };
+  return {read(0), read(1)};
+}
+
+Image Renderer::displayed() {
+  if (!impl_->film) return {};
+  const Device& device = *impl_->device;
+  const ResolvedPicture& resolved = impl_->resolveNow();
+  const Buffer* const shown[] = {&resolved.buffer()};
+  handOver(device, shown, QueueKind::compute, QueueKind::graphics);
+  RenderTarget target(device, resolved.extent());
+  const auto pass = impl_->display.pipeline(target.renderPass());
+  const DisplayParams params = impl_->display.params(resolved.extent(), target.rect());
+  return target.render(
+      [&](const auto& cmd) { pass->draw(cmd, resolved.displaying(), params, target.rect()); },
+      [&](const auto& cmd) {
+        if (!device.separateCompute()) computeToFragment(cmd);
+      });
+}
+
+}  // namespace steradian

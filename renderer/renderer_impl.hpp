@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What a Renderer owns; seen by renderer.cpp and presenter.cpp only.
+#pragma once
+#include <memory>
+
+#include "renderer/display.hpp"
+#include "renderer/error_meter.hpp"
+#include "renderer/renderer.hpp"
+#include "renderer/resolve.hpp"
+#include "renderer/tracer.hpp"
+#include "renderer/variants.hpp"
+
+namespace steradian {
+
+struct Renderer::Impl {
+  explicit Impl(std::shared_ptr<gpu::Device> opened);
+
+  void upload(GpuScene next, Extent extent);
+  void restart();
+  /// The full film, cleared if it holds an older scene.
+  Film& currentFilm();
+  bool traceFilm(double budgetMs);
+  bool tracePreview(double budgetMs);
+  int previewFactor(double budgetMs) const;
+  const gpu::ComputePass& tracePass();
+  void updateTiming();
+  /// What should be on screen: the preview until the film has a whole pass.
+  std::shared_ptr<const Film> shownFilm() const { return showPreview ? preview : film; }
+  const ResolvedPicture& resolveNow();
+  bool metered() const { return (scene.params.flags & gpu::TRACE_ERROR_METER) != 0; }
+
+  std::shared_ptr<gpu::Device> device;
+  Variants variants;
+  Tracer tracer;
+  ErrorMeter meter;
+  SlopeTracker slope;
+  gpu::ComputePass resolve, pick;
+  Display display;
+
+  GpuScene scene;
+  LoopPlan plan;
+  gpu::Buffer rows;
+  std::shared_ptr<Film> film, preview;
+  ResolvedPicture picture;  // for stills and read-back
+  bool stale = true;        // the film's samples belong to an older scene
+  bool previewPending = false;
+  bool showPreview = false;
+  std::uint64_t sampleBegin = 0, sampleEnd = 0xffffffffu;
+  RenderStats stats;
+};
+
+}  // namespace steradian

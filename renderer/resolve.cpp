@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/resolve.hpp"
+
+namespace steradian {
+
+using namespace gpu;
+
+void ResolvedPicture::prepare(const Device& device, std::shared_ptr<const Film> film) {
+  if (film == film_) return;
+  const std::size_t bytes = film->pixels() * 16;
+  resolving_.reset();
+  displaying_.reset();
+  if (buffer_.size() < bytes) buffer_ = Buffer(device, BufferKind::deviceLocal, bytes, "resolved film");
+  film_ = std::move(film);
+  const auto& b = film_->buffers();
+  const Buffer* const all[] = {&b[0], &b[1], &b[2], &b[3], &buffer_};
+  const Buffer* const shown[] = {nullptr, nullptr, nullptr, nullptr, &buffer_};
+  resolving_.emplace(device, nullptr, all);
+  displaying_.emplace(device, nullptr, shown);
+}
+
+std::uint32_t ResolvedPicture::groupsY() const {
+  const std::size_t perRow = groupsX * 64;
+  return std::uint32_t((film_->pixels() + perRow - 1) / perRow);
+}
+
+}  // namespace steradian

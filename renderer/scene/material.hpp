@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Metallic-roughness material as glTF 2.0 defines it (appendix B), with KHR_materials_specular's weight.
+#pragma once
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "renderer/scene/ids.hpp"
+
+namespace steradian {
+
+struct Material {
+  Id id = Id::none;
+  std::string name;
+  glm::vec3 albedo{0.8f};  // base colour, linear Rec. 709, each in [0, 1]
+  float metallic = 0.0f;   // [0, 1]
+  float roughness = 0.5f;  // perceptual, [0, 1]; alpha = roughness^2; below 0.0316 a perfect mirror lobe
+  float specular = 1.0f;   // weight of the dielectric lobe, [0, 1]; 0 = pure Lambert
+  float ior = 1.5f;        // index of refraction, >= 1; F0 = ((ior-1)/(ior+1))^2
+  glm::vec3 emissionColor{1.0f};   // linear Rec. 709, >= 0
+  float emissionLuminance = 0.0f;  // nit (cd/m^2) times emissionColor, >= 0, both sides
+  std::string extras;              // unknown keys of the project file, as JSON text; kept on round trip
+
+  bool operator==(const Material&) const = default;
+};
+
+}  // namespace steradian

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The SPIR-V modules and texts that the build embeds.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace steradian {
+
+std::span<const std::uint32_t> pathTraceSpirv();
+std::span<const std::uint32_t> resolveSpirv();
+std::span<const std::uint32_t> meterSpirv();
+std::span<const std::uint32_t> pickSpirv();
+std::span<const std::uint32_t> displayVertexSpirv();
+/// gpu_types.h and display.frag as text, completed by a tonemapper at run time.
+std::string_view gpuTypesText();
+std::string_view displayFragmentText();
+
+}  // namespace steradian

@@ -1,0 +1,52 @@
+#version 460
+// SPDX-License-Identifier: MIT
+// How wrong the picture still is: two half-buffers with independent scrambles differ by their errors. With means a, b
+// of nA, nB samples, d^2 = (a - b)^2 nA nB / (nA + nB)^2 estimates the variance of the joint mean.
+#extension GL_GOOGLE_include_directive : require
+#include "gpu_types.h"
+#include "film.glsl"
+
+layout(local_size_x = METER_GROUP) in;
+layout(set = 0, binding = 6) buffer Partials { vec4 partials[]; };
+layout(push_constant) uniform Push { FilmParams params; };
+
+shared vec4 errors[METER_GROUP];
+shared vec4 rays[METER_GROUP];
+
+void main() {
+  uint me = gl_LocalInvocationID.x;
+  uint pixels = params.width * params.height;
+  vec4 error = vec4(0.0);
+  vec4 ray = vec4(0.0);
+  for (uint i = 0u; i < METER_PIXELS / METER_GROUP; ++i) {
+    uint at = gl_WorkGroupID.x * METER_PIXELS + i * METER_GROUP + me;
+    if (at < pixels) {
+      uvec2 n = max(halfSamples(params, at), uvec2(1u));
+      float nA = float(n.x);
+      float nB = float(n.y);
+      float share = nA * nB / ((nA + nB) * (nA + nB));
+      vec4 a = sumA[at];
+      vec4 b = sumB[at];
+      vec3 difference = a.xyz / nA - b.xyz / nB;
+      vec3 mean = (a.xyz + b.xyz) / (nA + nB);
+      vec3 d2 = difference * difference * share;
+      vec3 relative = d2 / (mean * mean + params.relativeFloor);
+      error += vec4((d2.x + d2.y + d2.z) / 3.0, (relative.x + relative.y + relative.z) / 3.0, carryA[at].w,
+                    carryB[at].w);
+      ray += vec4(a.w, b.w, 0.0, 0.0);
+    }
+  }
+  errors[me] = error;
+  rays[me] = ray;
+  for (uint half_ = METER_GROUP / 2u; half_ > 0u; half_ /= 2u) {
+    barrier();
+    if (me < half_) {
+      errors[me] += errors[me + half_];
+      rays[me] += rays[me + half_];
+    }
+  }
+  if (me == 0u) {
+    partials[gl_WorkGroupID.x * METER_ROWS] = errors[0];
+    partials[gl_WorkGroupID.x * METER_ROWS + 1u] = rays[0];
+  }
+}

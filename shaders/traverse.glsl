@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Closest hit and occlusion over the flat list of analytic shapes. Small scenes hold their spheres and planes in
+// registers (loaded once, counts baked); others read rows in loops bounded by the host's loop budget.
+#ifndef TRAVERSE_GLSL
+#define TRAVERSE_GLSL
+#extension GL_EXT_control_flow_attributes : require
+#include "scene.glsl"
+#include "shapes.glsl"
+
+struct Ray {
+  vec3 o;
+  vec3 d;           // unit length
+  uint self;        // primitive the ray starts on, or NO_PRIMITIVE
+  bool selfInside;  // and whether it leaves to that solid's inside
+};
+
+struct Hit {
+  float t;
+  uint primitive;
+};
+
+vec4 bakedSpheres[MAX_FIXED];
+vec4 bakedPlanes[MAX_FIXED];
+
+// Called once at the top of main, outside all control flow.
+void loadBakedPrimitives() {
+  [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i) bakedSpheres[i] = fetchRow(kFirstRow + i);
+  [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) bakedPlanes[i] = fetchRow(kFirstRow + kFixedSpheres + i);
+}
+
+void nearer(inout Hit hit, float t, uint primitive) {
+  bool closer = t < hit.t;
+  hit.t = closer ? t : hit.t;
+  hit.primitive = closer ? primitive : hit.primitive;
+}
+
+void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
+  if (kSpheres) {
+    if (kFixedSpheres > 0u) {
+      [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i)
+        nearer(hit, hitSphere(ray.o, ray.d, bakedSpheres[i].xyz, bakedSpheres[i].w, ray.self == i), i);
+    } else {
+      for (uint i = 0u; i < l.plane; ++i) {
+        vec4 s = fetchRow(kFirstRow + i);
+        nearer(hit, hitSphere(ray.o, ray.d, s.xyz, s.w, ray.self == i), i);
+      }
+    }
+  }
+  if (kPlanes) {
+    if (kFixedPlanes > 0u) {
+      [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i)
+        nearer(hit, hitPlane(ray.o, ray.d, bakedPlanes[i], ray.self == l.plane + i), l.plane + i);
+    } else {
+      for (uint i = l.plane; i < l.largeSphere; ++i)
+        nearer(hit, hitPlane(ray.o, ray.d, fetchRow(kFirstRow + i), ray.self == i), i);
+    }
+  }
+  if (kLargeSpheres) {
+    for (uint i = l.largeSphere; i < l.box; ++i) {
+      uint row = largeSphereRow(l, i);
+      nearer(hit, hitLargeSphere(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), ray.self == i), i);
+    }
+  }
+}
+
+LocalRay localRay(Ray ray, Layout l, uint primitive) {
+  uint row = affineRow(l, primitive);
+  return toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
+}
+
+void hitAffineShapes(inout Hit hit, Ray ray, Layout l) {
+  if (kBoxes)
+    for (uint i = l.box; i < l.rect; ++i)
+      nearer(hit, hitBox(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
+  if (kRects)
+    for (uint i = l.rect; i < l.disk; ++i) nearer(hit, hitRect(localRay(ray, l, i), ray.self == i), i);
+  if (kDisks)
+    for (uint i = l.disk; i < l.cylinder; ++i) nearer(hit, hitDisk(localRay(ray, l, i), ray.self == i), i);
+  if (kCylinders)
+    for (uint i = l.cylinder; i < l.ellipsoid; ++i)
+      nearer(hit, hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
+  if (kEllipsoids)
+    for (uint i = l.ellipsoid; i < l.end; ++i) nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i), i);
+}
+
+// Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.
+Hit closestHit(Ray ray, float tMax, Layout l) {
+  Hit hit = Hit(tMax, NO_PRIMITIVE);
+  hitSpheresAndPlanes(hit, ray, l);
+  if (kAffine) hitAffineShapes(hit, ray, l);
+  return hit;
+}
+
+bool occluded(Ray ray, float tMax, Layout l) { return closestHit(ray, tMax, l).primitive != NO_PRIMITIVE; }
+
+#endif

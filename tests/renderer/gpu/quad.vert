@@ -1,0 +1,7 @@
+#version 460
+// SPDX-License-Identifier: MIT
+// A quad from the vertex index.
+void main() {
+  vec2 corner = vec2(float(gl_VertexIndex & 1), float(gl_VertexIndex >> 1));
+  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
