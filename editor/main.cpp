@@ -2,6 +2,7 @@
 // The one binary: reads the command line, runs the subcommand, turns every error into a line and an exit
 // code.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <new>
 
 #include "editor/cli/commands.hpp"
@@ -52,7 +53,9 @@ int main(int argc, char** argv) try {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return fail(ExitCode::usage, std::string(error.what()) + "; steradian --help shows what there is");
   }
-  return chosen();
+  const int code = chosen();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(ExitCode::io, "stdout cannot be written");
+  return code;
 } catch (const steradian::Error& error) {
   return fail(error.code(), error.what());
 } catch (const std::bad_alloc&) {

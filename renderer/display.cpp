@@ -69,7 +69,7 @@ gpu::DisplayParams Display::params(Extent film, PixelRect rect) const {
   return p;
 }
 
-std::unique_ptr<gpu::GraphicsPass> Display::pipeline(vk::RenderPass renderPass) const {
+std::unique_ptr<gpu::GraphicsPass> Display::pipeline(gpu::TargetPass renderPass) const {
   return std::make_unique<gpu::GraphicsPass>(device_, displayVertexSpirv(), spirv_, renderPass,
                                              std::span<const gpu::Specialization>{}, "display");
 }

@@ -22,7 +22,7 @@ class Display {
   void setTonemapper(const Tonemapper& tonemapper);
   void setSettings(const DisplaySettings& settings) { settings_ = settings; }
   gpu::DisplayParams params(Extent film, PixelRect rect) const;
-  std::unique_ptr<gpu::GraphicsPass> pipeline(vk::RenderPass renderPass) const;
+  std::unique_ptr<gpu::GraphicsPass> pipeline(gpu::TargetPass renderPass) const;
   /// Changes with every new tonemapper: pipelines of an older version are stale.
   int version() const { return version_; }
 

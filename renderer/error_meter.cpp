@@ -18,14 +18,13 @@ MeterReading ErrorMeter::read(const Film& film, bool errorMeter) {
     computeToCompute(cmd);
     pass_.dispatch(cmd, film.bindings(), film.params(errorMeter), film.meterGroups(), 1);
   });
-  const auto rows =
-      downloadAs<float>(device_, film.partials(), 0, std::size_t(film.meterGroups()) * METER_ROWS * 4);
-  double sums[6] = {};
-  for (std::size_t group = 0; group < rows.size(); group += METER_ROWS * 4)
-    for (int i = 0; i < 6; ++i) sums[i] += rows[group + i];
+  const auto rows = downloadAs<float>(device_, film.partials(), 0, std::size_t(film.meterGroups()) * 4);
+  const auto counters = downloadAs<std::uint32_t>(device_, film.counters(), 0, COUNTERS);
+  double sums[4] = {};
+  for (std::size_t i = 0; i < rows.size(); ++i) sums[i % 4] += rows[i];
   const double pixels = double(film.pixels());
-  return {sums[0] / pixels,       sums[1] / pixels,       std::uint64_t(sums[2]),
-          std::uint64_t(sums[3]), std::uint64_t(sums[4]), std::uint64_t(sums[5])};
+  return {sums[0] / pixels,         sums[1] / pixels,       counters[COUNTER_NAN],
+          counters[COUNTER_FAULTS], std::uint64_t(sums[2]), std::uint64_t(sums[3])};
 }
 
 double SlopeTracker::add(std::uint64_t samples, double rmse) {

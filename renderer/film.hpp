@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "renderer/gpu/buffer.hpp"
 #include "renderer/gpu/pass.hpp"
@@ -32,7 +33,10 @@ class Film {
 
   Extent extent() const { return extent_; }
   std::size_t pixels() const { return std::size_t(extent_.width) * extent_.height; }
+  /// The whole film: sums and carries of A and B at 1..4, meter and pick results behind them.
   const gpu::Bindings& bindings() const { return *bindings_; }
+  /// What path_trace.comp sees: one half's sum and carry at 1 and 2, the counters at 5.
+  const gpu::Bindings& halfBindings(int half) const { return halfBindings_[half]; }
   const std::array<gpu::Buffer, 4>& buffers() const { return buffers_; }
   /// Push constants of resolve and meter for what is accumulated now.
   gpu::FilmParams params(bool errorMeter) const;
@@ -41,17 +45,24 @@ class Film {
 
   const gpu::Buffer& partials() const { return partials_; }
   const gpu::Buffer& picked() const { return picked_; }
+  const gpu::Buffer& counters() const { return counters_; }
   std::uint32_t meterGroups() const;
 
  private:
   const gpu::Device& device_;
   Extent extent_;
   std::array<gpu::Buffer, 4> buffers_;  // sumA, carryA, sumB, carryB
-  gpu::Buffer partials_, picked_;
+  gpu::Buffer partials_, picked_, counters_;
   std::optional<gpu::Bindings> bindings_;
+  std::vector<gpu::Bindings> halfBindings_;
 };
 
-/// Samples of half A (even indices) or B (odd) among [begin, end).
-std::uint32_t halfCount(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter);
+/// Indices of half A (even samples) or B (odd) within its own sequence that the samples [begin, end) stand
+/// for.
+struct HalfRange {
+  std::uint32_t begin, end;
+  std::uint32_t count() const { return end - begin; }
+};
+HalfRange halfRange(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter);
 
 }  // namespace steradian

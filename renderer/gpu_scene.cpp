@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 
 #include "renderer/gpu_shapes.hpp"
 #include "renderer/pixel_filter.hpp"
@@ -19,10 +18,6 @@ using namespace gpu;
 constexpr float mirrorAlpha = 1e-3f;  // MIRROR_ALPHA in bsdf.glsl
 // Planet-sized beside what stands on it, or in absolute terms: double-float needed.
 constexpr double largeRadiusMetres = 100.0, largeRadiusFactor = 1000.0;
-
-glm::vec4 bits(std::uint32_t x, std::uint32_t y) {
-  return {std::bit_cast<float>(x), std::bit_cast<float>(y), 0.0f, 0.0f};
-}
 
 std::vector<glm::vec4> cameraRows(const CameraView& view) {
   const glm::dmat4& m = view.worldFromCamera;
@@ -52,9 +47,10 @@ std::uint32_t featuresOf(const Material& m) {
 
 void pushMaterial(std::vector<glm::vec4>& rows, const Material& m) {
   const float ratio = (m.ior - 1.0f) / (m.ior + 1.0f);
+  const float dielectricF0 = m.specular * ratio * ratio;
   rows.emplace_back(m.albedo, m.metallic);
-  rows.emplace_back(m.emissionColor * m.emissionLuminance, m.roughness * m.roughness);
-  rows.emplace_back(m.specular * ratio * ratio, m.specular, std::bit_cast<float>(featuresOf(m)), 0.0f);
+  rows.emplace_back(m.roughness * m.roughness, dielectricF0, m.specular, std::bit_cast<float>(featuresOf(m)));
+  rows.emplace_back(m.emissionColor * m.emissionLuminance, 0.0f);
 }
 
 std::uint32_t pushLight(std::vector<glm::vec4>& rows, const Light& light, const glm::dmat4& world,
@@ -96,24 +92,6 @@ double largeRadiusOf(const std::vector<Placed>& objects) {
   return std::min(largeRadiusMetres, largeRadiusFactor * smallest);
 }
 
-struct MaterialTable {
-  std::vector<glm::vec4> rows;
-  std::map<Id, std::uint32_t> indexOf;
-  std::uint32_t features = 0;
-
-  // Only materials in use are uploaded; Id::none and lost ids get the default one.
-  std::uint32_t use(const Scene& scene, Id id) {
-    const Material* material = findMaterial(scene, id);
-    const Id key = material ? id : Id::none;
-    const auto [at, added] = indexOf.try_emplace(key, std::uint32_t(indexOf.size()));
-    if (added) {
-      pushMaterial(rows, material ? *material : Material{});
-      features |= featuresOf(material ? *material : Material{});
-    }
-    return at->second;
-  }
-};
-
 void appendShapes(GpuScene& out, const ShapeLists& lists) {
   std::uint32_t* const counts[] = {&out.params.sphereCount,      &out.params.planeCount,
                                    &out.params.largeSphereCount, &out.params.boxCount,
@@ -125,12 +103,26 @@ void appendShapes(GpuScene& out, const ShapeLists& lists) {
     out.rows.insert(out.rows.end(), list.rows.begin(), list.rows.end());
     if (!list.links.empty()) out.features |= 1u << k;
   }
-  out.params.linkRow = std::uint32_t(out.rows.size());
-  for (const ShapeList& list : lists.kinds)
-    for (const SurfaceLink& link : list.links)
-      out.rows.push_back(bits(link.material, std::uint32_t(link.object)));
-  if (out.rows.size() == out.params.linkRow)
-    out.rows.push_back(bits(0, 0));  // an empty scene still reads a row
+}
+
+std::vector<SurfaceLink> linksInOrder(const ShapeLists& lists) {
+  std::vector<SurfaceLink> links;
+  for (const ShapeList& list : lists.kinds) links.insert(links.end(), list.links.begin(), list.links.end());
+  if (links.empty()) links.push_back({Id::none, Id::none});  // an empty scene still reads a row
+  return links;
+}
+
+void appendSurfaces(GpuScene& out, const Scene& scene, const std::vector<SurfaceLink>& links) {
+  static const Material standard;
+  out.params.materialRow = std::uint32_t(out.rows.size());
+  for (const SurfaceLink& link : links) {
+    const Material* material = findMaterial(scene, link.material);
+    pushMaterial(out.rows, material ? *material : standard);
+    out.features |= featuresOf(material ? *material : standard);
+  }
+  out.params.objectRow = std::uint32_t(out.rows.size());
+  for (const SurfaceLink& link : links)
+    out.rows.emplace_back(std::bit_cast<float>(std::uint32_t(link.object)), 0.0f, 0.0f, 0.0f);
 }
 
 void applySettings(GpuScene& out, const RenderSettings& s) {
@@ -162,21 +154,16 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
   const std::vector<Placed> objects = visibleObjects(scene);
   const double largeRadius = largeRadiusOf(objects);
   ShapeLists shapes;
-  MaterialTable materials;
   std::vector<glm::vec4> lights;
   for (const Placed& p : objects) {
     if (const auto* g = std::get_if<Geometry>(&p.object->content)) {
-      shapes.add(g->shape, p.world, out.origin, {materials.use(scene, g->material), p.object->id},
-                 largeRadius);
+      shapes.add(g->shape, p.world, out.origin, {g->material, p.object->id}, largeRadius);
     } else if (const auto* light = std::get_if<Light>(&p.object->content)) {
       out.features |= pushLight(lights, *light, p.world, out.origin);
     }
   }
-  if (materials.rows.empty()) materials.use(scene, Id::none);
   appendShapes(out, shapes);
-  out.features |= materials.features;
-  out.params.materialRow = std::uint32_t(out.rows.size());
-  out.rows.insert(out.rows.end(), materials.rows.begin(), materials.rows.end());
+  appendSurfaces(out, scene, linksInOrder(shapes));
   out.params.lightRow = std::uint32_t(out.rows.size());
   out.params.lightCount = std::uint32_t(lights.size() / LIGHT_ROWS);
   out.rows.insert(out.rows.end(), lights.begin(), lights.end());

@@ -7,9 +7,9 @@
 
 namespace steradian {
 
-/// What a primitive is linked to, packed behind all shapes.
+/// What a primitive belongs to.
 struct SurfaceLink {
-  std::uint32_t material;  // index into the material table
+  Id material;
   Id object;
 };
 

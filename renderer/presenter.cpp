@@ -20,7 +20,7 @@ struct Slot {
       : commands(device, QueueKind::compute), resolved(makeSemaphore(device)) {}
   ResolvedPicture picture;
   Commands commands;
-  vk::raii::Semaphore resolved;
+  Semaphore resolved;
 };
 
 }  // namespace
@@ -87,12 +87,12 @@ bool Presenter::present(Renderer& renderer, Extent framebuffer, PixelRect viewpo
   if (picture) {
     if (!r.showPreview) r.currentFilm();
     p.resolve(r, slot);
-    waits.push_back({*slot.resolved, vk::PipelineStageFlagBits::eFragmentShader});
+    waits.push_back({*slot.resolved, frameReadsPicture});
     acquire(frame->cmd, slot.picture.buffer(), p.device->compute().family, p.device->graphics().family);
   }
   p.swapchain.beginRenderPass(*frame);
   if (picture) p.draw(r, slot, *frame, rect);
-  if (overlay) overlay(static_cast<VkCommandBuffer>(*frame->cmd));
+  if (overlay) overlay(frame->native());
   p.swapchain.endRenderPass(*frame);
   p.swapchain.end(*frame, waits);
   return true;
@@ -106,16 +106,8 @@ std::vector<PresentMode> Presenter::availableModes() const {
 }
 
 Presenter::Handles Presenter::handles() const {
-  const Device& d = *impl_->device;
-  return {static_cast<VkInstance>(*d.instance()),
-          static_cast<VkPhysicalDevice>(*d.physical()),
-          static_cast<VkDevice>(*d.handle()),
-          static_cast<VkQueue>(*d.graphics().handle),
-          d.graphics().family,
-          reinterpret_cast<std::uint64_t>(static_cast<VkRenderPass>(impl_->swapchain.renderPass())),
-          impl_->swapchain.imageCount()};
+  return impl_->swapchain.handles();
 }
-
 Image Presenter::screenshot() {
   return impl_->swapchain.screenshot();
 }

@@ -148,11 +148,12 @@ void Renderer::setDisplay(const DisplaySettings& display) {
 
 void Renderer::setSampleRange(std::uint64_t begin, std::uint64_t end) {
   constexpr std::uint64_t countable = 0xffffffffu;  // sample indices are 32-bit on the device
-  if (begin >= end || end > countable)
+  if (begin >= end || begin >= countable)
     throw Error(ExitCode::usage, "The samples " + std::to_string(begin) + ":" + std::to_string(end) +
-                                     " are no range within 0:" + std::to_string(countable) + ".");
+                                     " are an empty range; indices run from 0 to " +
+                                     std::to_string(countable) + ".");
   impl_->sampleBegin = begin;
-  impl_->sampleEnd = end;
+  impl_->sampleEnd = std::min(end, countable);
   impl_->restart();
 }
 

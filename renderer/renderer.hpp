@@ -118,7 +118,8 @@ class Renderer {
   /// Throws Error(plugin) with the compiler's lines when the GLSL does not compile; the old one stays.
   void setTonemapper(const Tonemapper& tonemapper);
   void setDisplay(const DisplaySettings& display);
-  /// Only the sample indices [begin, end) are ever traced; default all. Starts over.
+  /// Only the sample indices [begin, end) are ever traced; default all, that is 2^32 - 1. Starts over.
+  /// Throws Error(usage) when the range is empty.
   void setSampleRange(std::uint64_t begin, std::uint64_t end);
   /// Specialized pipelines may be compiled on a worker thread and swapped in; off = stay generic. Default on.
   void allowSpecialization(bool allow);

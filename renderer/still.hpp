@@ -16,7 +16,7 @@ struct StillRequest {
   std::optional<double> untilRelRmse;  // e.g. 0.01; needs the error meter
   std::optional<double> untilSeconds;  // wall time from the call; one whole sample is always finished
   std::uint64_t sampleBegin = 0;       // only sample indices of [sampleBegin, sampleEnd) are traced
-  std::uint64_t sampleEnd = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t sampleEnd = std::numeric_limits<std::uint32_t>::max();  // all that the sampler has
   double batchMs =
       200.0;  // the longest dispatch; the first ones are shorter, so that a first pixel comes soon
 };

@@ -60,14 +60,21 @@ bool Tracer::step(Film& film, const ComputePass& pass, const GpuScene& scene, co
   params.width = std::uint32_t(film.extent().width);
   params.height = std::uint32_t(film.extent().height);
   params.lightSamples = plan.lightSamples;
-  params.sampleBegin = std::uint32_t(p.done);
-  params.sampleEnd = std::uint32_t(p.passEnd);
   params.rowBegin = std::uint32_t(p.rowsDone);
   const int rows = std::min(rowsWithin(film, budgetMs), film.extent().height - p.rowsDone);
   params.rowEnd = params.rowBegin + std::uint32_t(rows);
+  const bool errorMeter = (params.flags & TRACE_ERROR_METER) != 0;
   const double ms = commands_.run([&](const auto& cmd) {
     computeToCompute(cmd);
-    pass.dispatch(cmd, film.bindings(), params, groups(film.extent().width), groups(rows));
+    for (const int half : {0, 1}) {
+      const HalfRange range = halfRange(p.done, p.passEnd, half, errorMeter);
+      if (range.count() == 0) continue;
+      TraceParams own = params;
+      own.sampleBegin = range.begin;
+      own.sampleEnd = range.end;
+      own.flags |= half == 1 ? TRACE_HALF_B : 0u;
+      pass.dispatch(cmd, film.halfBindings(half), own, groups(film.extent().width), groups(rows));
+    }
   });
   const double pixelSamples = double(film.extent().width) * rows * double(p.passEnd - p.done);
   cost_.learn(ms, pixelSamples);

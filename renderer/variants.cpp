@@ -12,7 +12,6 @@ namespace {
 
 using namespace gpu;
 constexpr std::size_t maxReady = 16;
-constexpr std::uint32_t maxFixedLights = 4;
 
 std::vector<Specialization> constantsOf(const VariantKey& key) {
   std::vector<Specialization> constants;
@@ -52,7 +51,7 @@ VariantKey variantFor(const GpuScene& scene) {
     key.fixedSpheres = p.sphereCount;
     key.fixedPlanes = p.planeCount;
   }
-  if (p.lightCount <= std::min(maxFixedLights, p.lightSamples)) key.fixedLights = p.lightCount;
+  if (p.lightCount <= std::min(MAX_FIXED_LIGHTS, p.lightSamples)) key.fixedLights = p.lightCount;
   return key;
 }
 

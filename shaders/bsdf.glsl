@@ -12,7 +12,7 @@ const float MIRROR_ALPHA = 1e-3;
 struct Lobes {
   vec3 diffuse;   // albedo * (1 - metallic)
   vec3 f0;        // reflectance head-on, dielectric and metal mixed
-  vec3 f90;       // reflectance at grazing
+  float f90;      // reflectance at grazing
   float dielectricF0;
   float dielectricF90;
   float alpha;    // roughness^2
@@ -30,7 +30,7 @@ float pow5(float x) {
 }
 
 // Schlick 1994 between f0 and f90, by the cosine to the half vector.
-vec3 fresnelSchlick(vec3 f0, vec3 f90, float cosine) { return f0 + (f90 - f0) * pow5(1.0 - cosine); }
+vec3 fresnelSchlick(vec3 f0, float f90, float cosine) { return f0 + (vec3(f90) - f0) * pow5(1.0 - cosine); }
 
 // Exact unpolarized dielectric reflectance; eta = n(transmitted side) / n(incident side).
 float fresnelDielectric(float cosine, float eta) {
@@ -65,11 +65,10 @@ float smithG2(float cosO, float cosI, float alpha) {
 
 // Chance to sample the specular lobe: its share of the reflectance seen from wo, kept away from 0 and 1.
 float specularChance(Lobes lobes, float cosO) {
-  float specular = luminance(fresnelSchlick(lobes.f0, lobes.f90, cosO));
+  float specular = mix(luminance(lobes.f0), lobes.f90, pow5(1.0 - cosO));
   float diffuse = luminance(lobes.diffuse);
-  if (diffuse <= 0.0) return 1.0;
-  if (maxComponent(lobes.f90) <= 0.0) return 0.0;
-  return clamp(specular / (specular + diffuse), 0.1, 0.9);
+  float mixed = clamp(specular / (specular + diffuse), 0.1, 0.9);
+  return diffuse <= 0.0 ? 1.0 : (lobes.f90 <= 0.0 ? 0.0 : mixed);
 }
 
 vec3 diffuseReflectance(Lobes lobes, float cosH) {
@@ -88,8 +87,9 @@ BsdfValue evalBsdf(Lobes lobes, vec3 wo, vec3 wi, float chance, bool diffuseOn, 
     fCos = diffuseReflectance(lobes, cosH) * (wi.z * (1.0 / PI));
     pdf = (1.0 - chance) * wi.z * (1.0 / PI);
   }
-  if (glossyOn && lobes.alpha >= MIRROR_ALPHA) {
-    float d = ggxD(h, length2, lobes.alpha);
+  if (glossyOn) {
+    // The mirror lobe has no density.
+    float d = lobes.alpha >= MIRROR_ALPHA ? ggxD(h, length2, lobes.alpha) : 0.0;
     float aO = ggxA(wo.z, lobes.alpha);
     float aI = ggxA(wi.z, lobes.alpha);
     // D G2 / (4 cosO cosI) * cosI as one bounded term.
@@ -111,20 +111,21 @@ BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, float chance, bool
                       bool mirrorOn) {
   bool specular = u < chance;
   float w = specular ? u / max(chance, 1e-6) : (u - chance) / max(1.0 - chance, 1e-6);
-  float c = cos(2.0 * PI * v);
-  float s = sin(2.0 * PI * v);
-  vec3 wi = diffuseOn ? cosineHemisphere(c, s, min(w, 0.99999994)) : vec3(0.0, 0.0, 1.0);
-  bool mirror = mirrorOn && specular && lobes.alpha < MIRROR_ALPHA;
+  CosSin azimuth = cosSinTurn(v);
+  vec3 wi = diffuseOn ? cosineHemisphere(azimuth.c, azimuth.s, min(w, 0.99999994)) : vec3(0.0, 0.0, 1.0);
   if (glossyOn) {
-    vec3 h = visibleNormal(wo, lobes.alpha, c, s, w);
-    vec3 reflected = h * (2.0 * dot(wo, h)) - wo;
+    vec3 h = visibleNormal(wo, lobes.alpha, ggxA(wo.z, lobes.alpha), azimuth.c, azimuth.s, w);
+    vec3 reflected = h * (2.0 * dot(wo, h) / dot(h, h)) - wo;
     wi = specular ? reflected : wi;
   }
-  if (mirror) {
-    return BsdfSample(vec3(-wo.x, -wo.y, wo.z), fresnelSchlick(lobes.f0, lobes.f90, wo.z) / chance);
-  }
   BsdfValue value = evalBsdf(lobes, wo, wi, chance, diffuseOn, glossyOn);
-  vec3 weight = value.pdf > 0.0 ? value.fCos / value.pdf : vec3(0.0);
+  vec3 weight = value.fCos * (value.pdf > 0.0 ? 1.0 / value.pdf : 0.0);
+  if (mirrorOn) {
+    bool mirror = specular && lobes.alpha < MIRROR_ALPHA;
+    vec3 ideal = fresnelSchlick(lobes.f0, lobes.f90, wo.z) / max(chance, 1e-6);
+    wi = mirror ? vec3(-wo.x, -wo.y, wo.z) : wi;
+    weight = mirror ? ideal : weight;
+  }
   return BsdfSample(wi, weight);
 }
 

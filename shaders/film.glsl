@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The film: per pixel and half-buffer a compensated sum of radiance. The spare components count, in whole numbers:
-// sumA.w closest rays, sumB.w shadow rays, carryA.w NaN samples (dropped), carryB.w faults (see path_trace.comp).
+// The film as a whole: per pixel and half-buffer a compensated sum of radiance. The spare components count rays, in
+// whole numbers: sum.w closest hits, carry.w shadow rays.
 #ifndef FILM_GLSL
 #define FILM_GLSL
 #include "gpu_types.h"
-#include "numerics.glsl"
 
 layout(set = 0, binding = 1) buffer SumA { vec4 sumA[]; };
 layout(set = 0, binding = 2) buffer CarryA { vec4 carryA[]; };

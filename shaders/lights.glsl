@@ -2,6 +2,7 @@
 // Punctual lights (KHR_lights_punctual): what arrives at a point if nothing is in between.
 #ifndef LIGHTS_GLSL
 #define LIGHTS_GLSL
+#extension GL_EXT_control_flow_attributes : require
 #include "scene.glsl"
 
 struct LightSample {
@@ -23,13 +24,20 @@ LightRows fetchLight(uint light) {
   return rows;
 }
 
+LightRows bakedLights[MAX_FIXED_LIGHTS];
+
+// Called once at the top of main, outside all control flow.
+void loadBakedLights() {
+  [[unroll]] for (uint i = 0u; i < kFixedLights; ++i) bakedLights[i] = fetchLight(i);
+}
+
 LightSample sampleLight(LightRows light, vec3 p) {
   uint kind = uint(light.a.w);
   bool directional = kDirectionalLights && kind == LIGHT_DIRECTIONAL;
   vec3 toLight = light.a.xyz - p;
   float d2 = dot(toLight, toLight);
   float inv = inversesqrt(d2);
-  LightSample s = LightSample(toLight * inv, d2 * inv, light.b.xyz / d2);
+  LightSample s = LightSample(toLight * inv, d2 * inv, light.b.xyz * (inv * inv));
   if (kSpotLights) {
     // Smooth edge between the cones as the extension defines it.
     float edge = clamp(-dot(light.c.xyz, s.wi) * light.b.w + light.c.w, 0.0, 1.0);

@@ -10,14 +10,12 @@ layout(local_size_x = METER_GROUP) in;
 layout(set = 0, binding = 6) buffer Partials { vec4 partials[]; };
 layout(push_constant) uniform Push { FilmParams params; };
 
-shared vec4 errors[METER_GROUP];
-shared vec4 rays[METER_GROUP];
+shared vec4 sums[METER_GROUP];
 
 void main() {
   uint me = gl_LocalInvocationID.x;
   uint pixels = params.width * params.height;
-  vec4 error = vec4(0.0);
-  vec4 ray = vec4(0.0);
+  vec4 sum = vec4(0.0);
   for (uint i = 0u; i < METER_PIXELS / METER_GROUP; ++i) {
     uint at = gl_WorkGroupID.x * METER_PIXELS + i * METER_GROUP + me;
     if (at < pixels) {
@@ -31,22 +29,14 @@ void main() {
       vec3 mean = (a.xyz + b.xyz) / (nA + nB);
       vec3 d2 = difference * difference * share;
       vec3 relative = d2 / (mean * mean + params.relativeFloor);
-      error += vec4((d2.x + d2.y + d2.z) / 3.0, (relative.x + relative.y + relative.z) / 3.0, carryA[at].w,
-                    carryB[at].w);
-      ray += vec4(a.w, b.w, 0.0, 0.0);
+      sum += vec4((d2.x + d2.y + d2.z) / 3.0, (relative.x + relative.y + relative.z) / 3.0, a.w + b.w,
+                  carryA[at].w + carryB[at].w);
     }
   }
-  errors[me] = error;
-  rays[me] = ray;
+  sums[me] = sum;
   for (uint half_ = METER_GROUP / 2u; half_ > 0u; half_ /= 2u) {
     barrier();
-    if (me < half_) {
-      errors[me] += errors[me + half_];
-      rays[me] += rays[me + half_];
-    }
+    if (me < half_) sums[me] += sums[me + half_];
   }
-  if (me == 0u) {
-    partials[gl_WorkGroupID.x * METER_ROWS] = errors[0];
-    partials[gl_WorkGroupID.x * METER_ROWS + 1u] = rays[0];
-  }
+  if (me == 0u) partials[gl_WorkGroupID.x] = sums[0];
 }

@@ -1,63 +1,79 @@
 #version 460
 // SPDX-License-Identifier: MIT
-// Adds samples [sampleBegin, sampleEnd) to every pixel of rows [rowBegin, rowEnd): paths with next-event estimation.
-// One loop level: each turn traces one path segment, and a path that ended makes room for the next sample at once.
-// The order of additions per pixel is that of the sample index, so any split into dispatches gives the same bytes.
+// Adds samples [sampleBegin, sampleEnd) of one half-buffer to every pixel of rows [rowBegin, rowEnd): paths with
+// next-event estimation. One loop level: each turn traces one path segment, and a path that ended makes room for the
+// next sample at once. Additions follow the sample index, so any split into dispatches gives the same bytes.
 #extension GL_GOOGLE_include_directive : require
 #include "camera.glsl"
-#include "film.glsl"
 #include "lights.glsl"
 #include "random.glsl"
 #include "surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+// The half-buffer of this dispatch (see film.glsl), and what must stay 0.
+layout(set = 0, binding = 1) buffer Sum { vec4 filmSum[]; };
+layout(set = 0, binding = 2) buffer Carry { vec4 filmCarry[]; };
+layout(set = 0, binding = 5) buffer Counters { uint counters[COUNTERS]; };
+
 struct Path {
   Ray ray;
   vec3 throughput;
   vec3 radiance;
   uint bounce;
+  uint index;  // of the sample
 };
 
-struct Counts {
-  uint closest, shadow, nan, faults;
+// A vertex as shading sees it.
+struct Vertex {
+  Surface surface;
+  Frame frame;     // around the normal on wo's side
+  vec3 wo;         // local
+  bool inside;     // wo lies on the inner side of the surface
+  float chance;    // to sample the specular lobe
 };
 
-// The half-buffer and the index within its own sequence of a sample.
-uint halfOf(uint s) { return (params.flags & TRACE_ERROR_METER) != 0u ? s & 1u : 0u; }
-uint indexOf(uint s) { return (params.flags & TRACE_ERROR_METER) != 0u ? s >> 1 : s; }
-
-// Light from light number `i` of this vertex's samples, unoccluded part of the estimate, times its shadow ray.
-vec3 directLight(LightRows light, Surface surface, Frame frame, Lobes lobes, vec3 wo, float chance, Path path,
-                 float weight, bool inside, inout Counts counts, Layout l) {
-  LightSample s = sampleLight(light, surface.p);
-  vec3 wi = toLocal(frame, s.wi);
-  vec3 f = evalBsdf(lobes, wo, wi, chance, kDiffuse, kGlossy).fCos * s.illuminance * path.throughput * weight;
+// Light that arrives straight from one light and is reflected to wo. Counts the shadow rays that matter.
+vec3 directLight(LightRows light, Vertex v, Lobes lobes, uint primitive, inout uint shadowRays, Layout l) {
+  LightSample s = sampleLight(light, v.surface.p);
+  vec3 f = evalBsdf(lobes, v.wo, toLocal(v.frame, s.wi), v.chance, kDiffuse, kGlossy).fCos * s.illuminance;
   bool needed = maxComponent(f) > 0.0;
-  counts.shadow += needed ? 1u : 0u;
-  if (!needed) return vec3(0.0);
-  Ray shadow = Ray(surface.p, s.wi, path.ray.self, inside);
-  return occluded(shadow, s.distance, l) ? vec3(0.0) : f;
+  shadowRays += needed ? 1u : 0u;
+  bool visible = needed && !occluded(Ray(v.surface.p, s.wi, primitive, v.inside), s.distance, l);
+  return visible ? f : vec3(0.0);
 }
 
 // All lights while they are few; else one per stratum of the list, each standing for its stratum.
-vec3 allDirectLight(Surface surface, Frame frame, Lobes lobes, vec3 wo, float chance, Path path, bool inside,
-                    uint pixelSeed, uint index, inout Counts counts, Layout l) {
+vec3 allDirectLight(Vertex v, Lobes lobes, uint primitive, float u, inout uint shadowRays, Layout l) {
   vec3 sum = vec3(0.0);
   if (kFixedLights > 0u) {
     [[unroll]] for (uint i = 0u; i < kFixedLights; ++i)
-      sum += directLight(fetchLight(i), surface, frame, lobes, wo, chance, path, 1.0, inside, counts, l);
+      sum += directLight(bakedLights[i], v, lobes, primitive, shadowRays, l);
     return sum;
   }
-  uint total = params.lightCount;
-  uint samples = min(total, params.lightSamples);
-  float perSample = float(total) / float(max(samples, 1u));
-  float u = total > samples ? sampleIndependent(pixelSeed, index, 0x10000u + path.bounce) : 0.0;
+  uint samples = min(params.lightCount, params.lightSamples);
+  float perSample = float(params.lightCount) / float(max(samples, 1u));
   for (uint i = 0u; i < samples; ++i) {
-    uint light = min(uint((float(i) + u) * perSample), total - 1u);
-    sum += directLight(fetchLight(light), surface, frame, lobes, wo, chance, path, perSample, inside, counts, l);
+    uint light = min(uint((float(i) + u) * perSample), params.lightCount - 1u);
+    sum += directLight(fetchLight(light), v, lobes, primitive, shadowRays, l) * perSample;
   }
   return sum;
+}
+
+Vertex vertexAt(Surface surface, Lobes lobes, vec3 d) {
+  Vertex v;
+  v.surface = surface;
+  v.inside = dot(surface.normal, d) > 0.0;
+  v.frame = frameAround(v.inside ? -surface.normal : surface.normal);
+  v.wo = toLocal(v.frame, -d);
+  v.wo.z = max(v.wo.z, 1e-7);
+  v.chance = kDiffuse ? (kGlossy || kMirror ? specularChance(lobes, v.wo.z) : 0.0) : 1.0;
+  return v;
+}
+
+Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint index) {
+  Ray ray = Ray(vec3(0.0), cameraDirection(camera, pixel, pair.x, pair.y), NO_PRIMITIVE, false);
+  return Path(ray, vec3(1.0), vec3(0.0), 0u, index);
 }
 
 // Pixel order interleaved by rows of groups: some drivers give each thread a fixed half of the groups.
@@ -76,75 +92,70 @@ void main() {
   Layout l = primitiveLayout();
   CameraRows camera = fetchCamera();
   loadBakedPrimitives();
-  Compensated totalA = Compensated(sumA[at].xyz, carryA[at].xyz);
-  Compensated totalB = Compensated(sumB[at].xyz, carryB[at].xyz);
-  Counts counts = Counts(0u, 0u, 0u, 0u);
+  loadBakedLights();
+  vec4 sum = filmSum[at];
+  vec4 carry = filmCarry[at];
+  Compensated total = Compensated(sum.xyz, carry.xyz);
+  uint closestRays = 0u;
+  uint shadowRays = 0u;
+  uint nan = 0u;
+  uint missing = 0u;
 
-  // Start the first path.
-  uint s = params.sampleBegin;
-  uint pixelSeed = pixelSeedOf(pixel.x, pixel.y, halfOf(s), params.seed);
-  SamplePair pair = samplePair(pixelSeed, indexOf(s), 0u);
-  Path path = Path(Ray(vec3(0.0), cameraDirection(camera, pixel, pair.x, pair.y), NO_PRIMITIVE, false), vec3(1.0),
-                   vec3(0.0), 0u);
+  uint pixelSeed = pixelSeedOf(pixel.x, pixel.y, params.flags & TRACE_HALF_B, params.seed);
+  bool roulette = (params.flags & TRACE_RUSSIAN_ROULETTE) != 0u;
+  Path path = cameraPath(camera, pixel, samplePair(pixelSeed, params.sampleBegin, 0u), params.sampleBegin);
 
-  uint turns = (params.sampleEnd - params.sampleBegin) * (params.maxBounces + 1u);
-  for (uint turn = 0u; turn < turns && s < params.sampleEnd; ++turn) {
+  // Every turn lengthens a path or ends it, so the turns are bounded by samples * (maxBounces + 1).
+  while (path.index < params.sampleEnd) {
     // Find the next vertex.
     Hit hit = closestHit(path.ray, INFINITE, l);
-    counts.closest += 1u;
+    closestRays += 1u;
     bool ended = hit.primitive == NO_PRIMITIVE;
     uint primitive = min(hit.primitive, l.end - 1u);
-    Surface surface = surfaceAt(path.ray, Hit(hit.t, primitive), l);
     SurfaceMaterial material = fetchMaterial(primitive);
-    bool inside = dot(surface.normal, path.ray.d) > 0.0;
-    Frame frame = frameAround(inside ? -surface.normal : surface.normal);
-    vec3 wo = toLocal(frame, -path.ray.d);
-    wo.z = max(wo.z, 1e-7);
-    float chance = kDiffuse ? (kGlossy || kMirror ? specularChance(material.lobes, wo.z) : 0.0) : 1.0;
-    path.ray = Ray(surface.p, path.ray.d, primitive, inside);
+    Vertex v = vertexAt(surfaceAt(path.ray, Hit(hit.t, primitive), l), material.lobes, path.ray.d);
 
+    // Add what the surface emits, and what the lights send it.
     if (!ended) {
-      // Add what the surface emits, and what the lights send it.
-      counts.faults += missingFeatures(material.features) != 0u ? 1u : 0u;
+      missing |= missingFeatures(material.features);
       if (kEmission) path.radiance += path.throughput * material.emission;
-      if (kLights)
-        path.radiance += allDirectLight(surface, frame, material.lobes, wo, chance, path, inside, pixelSeed,
-                                        indexOf(s), counts, l);
+      if (kLights) {
+        float u = params.lightCount > params.lightSamples
+                      ? sampleIndependent(pixelSeed, path.index, 0x10000u + path.bounce)
+                      : 0.0;
+        path.radiance += path.throughput * allDirectLight(v, material.lobes, primitive, u, shadowRays, l);
+      }
     }
 
     // Decide whether the path ends: bounce limit, then Russian roulette after the third bounce.
     ended = ended || path.bounce >= params.maxBounces;
-    float survival = min(1.0, maxComponent(path.throughput));
-    if ((params.flags & TRACE_RUSSIAN_ROULETTE) != 0u && path.bounce >= 3u) {
-      ended = ended || sampleIndependent(pixelSeed, indexOf(s), path.bounce) >= survival;
+    if (roulette && path.bounce >= 3u) {
+      float survival = min(1.0, maxComponent(path.throughput));
+      ended = ended || sampleIndependent(pixelSeed, path.index, path.bounce) >= survival;
       path.throughput /= max(survival, 1e-30);
     }
 
-    // Commit a finished sample and take the next one.
+    // Draw one pair: for the camera of the next path, or for the next direction of this one.
+    uint index = ended ? path.index + 1u : path.index;
+    SamplePair pair = samplePair(pixelSeed, index, ended ? 0u : path.bounce + 1u);
+    BsdfSample next = sampleBsdf(material.lobes, v.wo, pair.x, pair.y, v.chance, kDiffuse, kGlossy, kMirror);
+    path.ray = Ray(v.surface.p, toWorld(v.frame, next.wi), primitive, v.inside);
+    path.throughput *= next.weight;
+    path.bounce += 1u;
+
+    // Commit a finished sample and start the next one.
     if (ended) {
       bool finite = isFiniteVec(path.radiance);
-      counts.nan += finite ? 0u : 1u;
-      vec3 value = finite ? path.radiance : vec3(0.0);
-      if (halfOf(s) == 0u) totalA = compensatedAdd(totalA, value);
-      else totalB = compensatedAdd(totalB, value);
-      s += 1u;
-      pixelSeed = pixelSeedOf(pixel.x, pixel.y, halfOf(s), params.seed);
+      nan += finite ? 0u : 1u;
+      total = compensatedAdd(total, finite ? path.radiance : vec3(0.0));
+      path = cameraPath(camera, pixel, pair, index);
     }
-    path.bounce = ended ? 0u : path.bounce + 1u;
-
-    // Draw one pair: for the camera of a new path, or for the next direction of this one.
-    pair = samplePair(pixelSeed, indexOf(s), path.bounce);
-    BsdfSample next = sampleBsdf(material.lobes, wo, pair.x, pair.y, chance, kDiffuse, kGlossy, kMirror);
-    vec3 direction = ended ? cameraDirection(camera, pixel, pair.x, pair.y) : toWorld(frame, next.wi);
-    path.ray = Ray(ended ? vec3(0.0) : path.ray.o, direction, ended ? NO_PRIMITIVE : primitive, inside);
-    path.throughput = ended ? vec3(1.0) : path.throughput * next.weight;
-    path.radiance = ended ? vec3(0.0) : path.radiance;
   }
 
+  filmSum[at] = vec4(total.sum, sum.w + float(closestRays));
+  filmCarry[at] = vec4(total.carry, carry.w + float(shadowRays));
   // A sample that the loop budget cut off is a fault, never a silently darker pixel.
-  counts.faults += params.sampleEnd - min(s, params.sampleEnd);
-  sumA[at] = vec4(totalA.sum, sumA[at].w + float(counts.closest));
-  carryA[at] = vec4(totalA.carry, carryA[at].w + float(counts.nan));
-  sumB[at] = vec4(totalB.sum, sumB[at].w + float(counts.shadow));
-  carryB[at] = vec4(totalB.carry, carryB[at].w + float(counts.faults));
+  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (missing != 0u ? 1u : 0u);
+  if (nan > 0u) atomicAdd(counters[COUNTER_NAN], nan);
+  if (faults > 0u) atomicAdd(counters[COUNTER_FAULTS], faults);
 }

@@ -19,7 +19,7 @@ void main() {
   bool found = hit.primitive != NO_PRIMITIVE;
   uint primitive = min(hit.primitive, l.end - 1u);
   Surface surface = surfaceAt(ray, Hit(hit.t, primitive), l);
-  float object = found ? fetchRow(params.linkRow + primitive).y : uintBitsToFloat(0u);
+  float object = found ? fetchRow(params.objectRow + primitive).x : uintBitsToFloat(0u);
   bool inside = dot(surface.normal, ray.d) > 0.0;
   picked[0] = vec4(uintBitsToFloat(hit.primitive), object, hit.t, 0.0);
   picked[1] = vec4(surface.p, 0.0);

@@ -50,14 +50,14 @@ struct SamplePair {
 SamplePair samplePair(uint pixelSeed, uint index, uint dimension) {
   uint seed = hashCombine(pixelSeed, dimension);
   uint shuffled = bitfieldReverse(permuteReversed(bitfieldReverse(index), seed));
-  uint x = bitfieldReverse(permuteReversed(shuffled, hashUint(seed ^ 0x68bc21ebu)));
-  uint y = bitfieldReverse(permuteReversed(sobolSecondReversed(shuffled), hashUint(seed ^ 0x02e5be93u)));
+  uint x = bitfieldReverse(permuteReversed(shuffled, seed * 0x9e3779b1u + 0x68bc21ebu));
+  uint y = bitfieldReverse(permuteReversed(sobolSecondReversed(shuffled), seed * 0x85ebca77u + 0x02e5be93u));
   return SamplePair(unitFloat(x), unitFloat(y));
 }
 
 // An independent number for decisions that gain nothing from stratification (Russian roulette, light strata).
 float sampleIndependent(uint pixelSeed, uint index, uint dimension) {
-  return unitFloat(hashCombine(hashCombine(pixelSeed ^ 0xb5297a4du, index), dimension));
+  return unitFloat(hashUint(hashUint(pixelSeed ^ 0xb5297a4du) ^ (index * 0x9e3779b9u + dimension * 0x85ebca77u)));
 }
 
 uint pixelSeedOf(uint x, uint y, uint halfBuffer, uint seed) {

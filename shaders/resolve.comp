@@ -13,7 +13,7 @@ void main() {
   uint at = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * gl_WorkGroupSize.x) + gl_GlobalInvocationID.x;
   if (at >= params.width * params.height) return;
   uvec2 n = halfSamples(params, at);
-  float samples = float(n.x + n.y) - carryA[at].w;
+  float samples = float(n.x + n.y);
   vec3 mean = (sumA[at].xyz + sumB[at].xyz) / max(samples, 1.0);
   resolved[at] = vec4(mean, samples);
 }

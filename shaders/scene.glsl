@@ -47,20 +47,19 @@ struct SurfaceMaterial {
 };
 
 SurfaceMaterial fetchMaterial(uint primitive) {
-  uint row = params.materialRow + floatBitsToUint(fetchRow(params.linkRow + primitive).x) * MATERIAL_ROWS;
+  uint row = params.materialRow + primitive * MATERIAL_ROWS;
   vec4 a = fetchRow(row);
   vec4 b = fetchRow(row + 1u);
-  vec4 c = fetchRow(row + 2u);
-  vec3 albedo = a.xyz;
-  float metallic = a.w;
   Lobes lobes;
-  lobes.diffuse = albedo * (1.0 - metallic);
-  lobes.f0 = mix(vec3(c.x), albedo, metallic);
-  lobes.f90 = vec3(mix(c.y, 1.0, metallic));
-  lobes.dielectricF0 = c.x;
-  lobes.dielectricF90 = c.y;
-  lobes.alpha = b.w;
-  return SurfaceMaterial(lobes, b.xyz, floatBitsToUint(c.z));
+  float metallic = a.w;
+  lobes.diffuse = a.xyz * (1.0 - metallic);
+  lobes.f0 = mix(vec3(b.y), a.xyz, metallic);
+  lobes.f90 = mix(b.z, 1.0, metallic);
+  lobes.dielectricF0 = b.y;
+  lobes.dielectricF90 = b.z;
+  lobes.alpha = b.x;
+  vec3 emission = kEmission ? fetchRow(row + 2u).xyz : vec3(0.0);
+  return SurfaceMaterial(lobes, emission, floatBitsToUint(b.w));
 }
 
 #endif

@@ -23,16 +23,20 @@ float hybridDiscriminant(float b, float c, float r2, float approach2) {
   return abs(c) < 0.5 * b * b ? b * b - c : r2 - approach2;
 }
 
-// Unit direction d. On the sphere itself c is exactly 0: roots 0 and -2b, no self hit, no epsilon.
-float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self) {
+// Where a ray leaves the sphere it starts on: roots 0 and -2b, exactly, and only from the inside. The sign of b is not
+// trusted: at a grazing angle rounding flips it, which would be a self hit outside and a leak inside.
+float ownSphere(float b, bool selfInside) { return selfInside ? max(-2.0 * b, 0.0) : INFINITE; }
+
+// Unit direction d.
+float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self, bool selfInside) {
   vec3 f = o - centre;
   float b = dot(f, d);
   float r2 = radius * radius;
-  float c = self ? 0.0 : dot(f, f) - r2;
+  float c = dot(f, f) - r2;
   vec3 l = f - d * b;
   float disc = hybridDiscriminant(b, c, r2, dot(l, l));
   float t = nearestRoot(b, c, sqrt(max(disc, 0.0)));
-  return disc > 0.0 ? t : INFINITE;
+  return self ? ownSphere(b, selfInside) : (disc > 0.0 ? t : INFINITE);
 }
 
 // |o - centre|^2 - radius^2 in double-float: what a planet-sized sphere under a small camera needs.
@@ -47,14 +51,14 @@ float sphereTermDouble(vec3 o, vec4 high, vec4 low) {
 }
 
 // Sphere whose centre and radius are double-floats (high + low).
-float hitLargeSphere(vec3 o, vec3 d, vec4 high, vec4 low, bool self) {
+float hitLargeSphere(vec3 o, vec3 d, vec4 high, vec4 low, bool self, bool selfInside) {
   vec3 f = (o - vec3(high.x, high.y, high.z)) - vec3(low.x, low.y, low.z);
   float b = dot(f, d);
-  float c = self ? 0.0 : sphereTermDouble(o, high, low);
+  float c = sphereTermDouble(o, high, low);
   vec3 l = f - d * b;
   float disc = hybridDiscriminant(b, c, high.w * high.w, dot(l, l));
   float t = nearestRoot(b, c, sqrt(max(disc, 0.0)));
-  return disc > 0.0 ? t : INFINITE;
+  return self ? ownSphere(b, selfInside) : (disc > 0.0 ? t : INFINITE);
 }
 
 // plane = unit normal and D, computed in double on the host. Only an exactly parallel ray misses.
@@ -87,17 +91,23 @@ float convexHit(float enter, float leave, bool self, bool selfInside) {
   return hit ? (self ? own : outside) : INFINITE;
 }
 
-// A direction component of 0 would give 0 * inf = NaN in the slab's own plane.
-float slabInverse(float d) { return 1.0 / (abs(d) < 1e-20 ? (d < 0.0 ? -1e-20 : 1e-20) : d); }
+// [enter, leave] of the slab |x| <= 1. A direction of 0 would give 0 * inf = NaN in the slab's own plane.
+vec2 slabInterval(float o, float d) {
+  bool parallel = abs(d) < 1e-20;
+  float inv = 1.0 / (parallel ? 1.0 : d);
+  float a = (-1.0 - o) * inv;
+  float b = (1.0 - o) * inv;
+  float outside = abs(o) <= 1.0 ? -INFINITE : INFINITE;
+  return vec2(parallel ? outside : min(a, b), parallel ? -outside : max(a, b));
+}
 
 // Unit box [-1, 1]^3.
 float hitBox(LocalRay r, bool self, bool selfInside) {
-  vec3 inv = vec3(slabInverse(r.d.x), slabInverse(r.d.y), slabInverse(r.d.z));
-  vec3 side = vec3(inv.x < 0.0 ? -1.0 : 1.0, inv.y < 0.0 ? -1.0 : 1.0, inv.z < 0.0 ? -1.0 : 1.0);
-  vec3 near = (-side - r.o) * inv;
-  vec3 far = (side - r.o) * inv;
-  float enter = max(near.x, max(near.y, near.z));
-  float leave = min(far.x, min(far.y, far.z));
+  vec2 x = slabInterval(r.o.x, r.d.x);
+  vec2 y = slabInterval(r.o.y, r.d.y);
+  vec2 z = slabInterval(r.o.z, r.d.z);
+  float enter = max(x.x, max(y.x, z.x));
+  float leave = min(x.y, min(y.y, z.y));
   // A scaled |leave| keeps the enlargement outward on both sides of 0.
   return convexHit(enter, leave + abs(leave) * (SLAB_ENLARGE - 1.0), self, selfInside);
 }
@@ -133,19 +143,18 @@ float hitCylinder(LocalRay r, bool self, bool selfInside) {
   bool axial = a < 1e-20 * r.d.y * r.d.y;
   enter = axial ? (c <= 0.0 ? -INFINITE : INFINITE) : enter;
   leave = axial ? (c <= 0.0 ? INFINITE : -INFINITE) : leave;
-  float inv = slabInverse(r.d.y);
-  float side = inv < 0.0 ? -1.0 : 1.0;
-  enter = max(enter, (-side - r.o.y) * inv);
-  leave = min(leave, (side - r.o.y) * inv);
+  vec2 caps = slabInterval(r.o.y, r.d.y);
+  enter = max(enter, caps.x);
+  leave = min(leave, caps.y);
   float t = convexHit(enter, leave, self, selfInside);
   return axial || disc > 0.0 ? t : INFINITE;
 }
 
 // Unit sphere seen through an affine map: an ellipsoid. d has any length.
-float hitEllipsoid(LocalRay r, bool self) {
-  float a = dot(r.d, r.d);
-  float scale = inversesqrt(a);
-  return hitSphere(r.o, r.d * scale, vec3(0.0), 1.0, self) * scale;
+float hitEllipsoid(LocalRay r, bool self, bool selfInside) {
+  float scale = inversesqrt(dot(r.d, r.d));
+  float t = hitSphere(r.o, r.d * scale, vec3(0.0), 1.0, self, selfInside);
+  return t < INFINITE ? t * scale : INFINITE;
 }
 
 // Outward normals of the unit shapes at a point on them (not normalized).

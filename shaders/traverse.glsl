@@ -38,11 +38,11 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
   if (kSpheres) {
     if (kFixedSpheres > 0u) {
       [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i)
-        nearer(hit, hitSphere(ray.o, ray.d, bakedSpheres[i].xyz, bakedSpheres[i].w, ray.self == i), i);
+        nearer(hit, hitSphere(ray.o, ray.d, bakedSpheres[i].xyz, bakedSpheres[i].w, ray.self == i, ray.selfInside), i);
     } else {
       for (uint i = 0u; i < l.plane; ++i) {
         vec4 s = fetchRow(kFirstRow + i);
-        nearer(hit, hitSphere(ray.o, ray.d, s.xyz, s.w, ray.self == i), i);
+        nearer(hit, hitSphere(ray.o, ray.d, s.xyz, s.w, ray.self == i, ray.selfInside), i);
       }
     }
   }
@@ -58,7 +58,9 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
   if (kLargeSpheres) {
     for (uint i = l.largeSphere; i < l.box; ++i) {
       uint row = largeSphereRow(l, i);
-      nearer(hit, hitLargeSphere(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), ray.self == i), i);
+      vec4 high = fetchRow(row);
+      vec4 low = fetchRow(row + 1u);
+      nearer(hit, hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside), i);
     }
   }
 }
@@ -80,7 +82,8 @@ void hitAffineShapes(inout Hit hit, Ray ray, Layout l) {
     for (uint i = l.cylinder; i < l.ellipsoid; ++i)
       nearer(hit, hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
   if (kEllipsoids)
-    for (uint i = l.ellipsoid; i < l.end; ++i) nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i), i);
+    for (uint i = l.ellipsoid; i < l.end; ++i)
+      nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
 }
 
 // Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.

@@ -79,7 +79,10 @@ std::string textOf(const BenchResult& result) {
 
 std::string textOf(const std::vector<BenchResult>& results) {
   std::string out;
-  for (const BenchResult& result : results) out += (out.empty() ? "" : "\n") + textOf(result);
+  for (const BenchResult& result : results) {
+    if (!out.empty()) out += "\n";
+    out += textOf(result);
+  }
   return out;
 }
 

@@ -9,10 +9,11 @@
 namespace steradian::cli {
 
 namespace {
-constexpr double kTerminalEvery = 0.1, kPlainEvery = 5.0;  // seconds
+constexpr double kTerminalEvery = 0.1, kPlainEvery = 5.0, kFirstPlain = 1.0;  // seconds
 }
 
-ProgressLine::ProgressLine() : terminal_(stderrIsTerminal()), shownAt_(terminal_ ? -kTerminalEvery : 0.0) {}
+ProgressLine::ProgressLine()
+    : terminal_(stderrIsTerminal()), shownAt_(terminal_ ? -kTerminalEvery : kFirstPlain - kPlainEvery) {}
 
 ProgressLine::~ProgressLine() {
   if (terminal_) std::fputs("\r\033[K", stderr);

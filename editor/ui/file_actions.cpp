@@ -3,6 +3,7 @@
 #include <ctime>
 #include <utility>
 
+#include "editor/tonemapping.hpp"
 #include "editor/ui/application.hpp"
 #include "editor/ui/placement.hpp"
 

@@ -30,8 +30,9 @@ double Application::waitSeconds() const {
 
 void Application::takeWindowEvents() {
   const std::vector<std::filesystem::path> dropped = window_.takeDropped();
-  if (!dropped.empty()) requests_.push_back(OpenFile{dropped.front()});
-  if (window_.takeCloseRequest()) requests_.push_back(Run{Command::quit});
+  Ui ui{window_.scale().units, labels_, requests_};
+  if (!dropped.empty()) ui.ask(OpenFile{dropped.front()});
+  if (window_.takeCloseRequest()) ui.ask(Command::quit);
   imgui_.setScale(window_.scale());
 }
 

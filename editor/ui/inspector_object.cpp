@@ -46,7 +46,7 @@ std::optional<Edit> parentChoice(Ui& ui, Fields& fields, const Scene& scene, con
 glm::dvec3& degreesOf(EulerMemory& euler, const Object& object) {
   const glm::dquat& q = object.transform.rotation;
   if (euler.object != object.id || !(euler.rotation == q))
-    euler = {object.id, q, glm::degrees(glm::eulerAngles(q))};
+    euler = {object.id, q, glm::degrees(glm::eulerAngles(q)) + 0.0};
   return euler.degrees;
 }
 

@@ -2,6 +2,8 @@
 // Keeping the picture up to date.
 #include "editor/ui/live_render.hpp"
 
+#include "editor/tonemapping.hpp"
+
 namespace steradian::ui {
 
 namespace {
@@ -10,20 +12,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kMeasureInterval{600};
 
 }  // namespace
-
-Tonemapper tonemapperFor(const plugins::PluginHost& plugins, const DisplaySettings& display) {
-  const plugins::Contribution* found = plugins.tonemapper(display.tonemapper);
-  if (!found)
-    throw Error(ExitCode::plugin, "No plugin offers the tonemapper \"" + display.tonemapper +
-                                      "\". Choose another one in the inspector's Display tab.");
-  Tonemapper tonemapper{found->id, found->glsl, {}};
-  for (const plugins::Parameter& parameter : found->parameters) {
-    const auto stored = display.parameters.find(parameter.id);
-    const double value = stored == display.parameters.end() ? parameter.defaultValue : stored->second;
-    tonemapper.parameters.push_back({parameter.id, float(value)});
-  }
-  return tonemapper;
-}
 
 LiveRender::LiveRender(std::shared_ptr<gpu::Device> device, const plugins::PluginHost& plugins,
                        Messages& messages)

@@ -45,8 +45,4 @@ class LiveRender {
   bool lost_ = false;  // the device is gone: the document can still be saved
 };
 
-/// The display pass's form of a tonemapper plugin with the project's parameters. Throws Error(plugin) naming
-/// the missing id.
-Tonemapper tonemapperFor(const plugins::PluginHost& plugins, const DisplaySettings& display);
-
 }  // namespace steradian::ui

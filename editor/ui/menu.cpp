@@ -63,11 +63,14 @@ void editMenu(Ui& ui, const MenuInput& input) {
   ImGui::EndMenu();
 }
 
-void sampleLimitMenu(ViewOptions& options) {
-  if (!ImGui::BeginMenu("Rest after")) return;
-  for (const int limit : {64, 256, 1024, 4096, 16384, 0}) {
+void sampleLimitMenu(Ui& ui, ViewOptions& options) {
+  const bool open = ImGui::BeginMenu("Rest after");
+  ui.mark("View/Rest after");
+  if (!open) return;
+  for (const int limit : {16, 64, 256, 1024, 4096, 16384, 0}) {
     const std::string text = limit ? std::to_string(limit) + " samples" : "never";
     if (ImGui::MenuItem(text.c_str(), nullptr, options.sampleLimit == limit)) options.sampleLimit = limit;
+    ui.mark("Rest after/" + text);
   }
   ImGui::EndMenu();
 }
@@ -80,7 +83,7 @@ void viewMenu(Ui& ui, const MenuInput& input, ViewOptions& options) {
   item(ui, "View", Command::viewToCamera);
   ImGui::Separator();
   item(ui, "View", Command::togglePause, true, input.paused);
-  sampleLimitMenu(options);
+  sampleLimitMenu(ui, options);
   ImGui::Separator();
   ImGui::MenuItem("Outlines and light marks", nullptr, &options.overlay);
   ImGui::MenuItem("Outliner", nullptr, &options.outliner);

@@ -17,14 +17,16 @@ double roundSize(double value) {
   return decade * (lead < 1.5 ? 1.0 : lead < 3.5 ? 2.0 : lead < 7.5 ? 5.0 : 10.0);
 }
 
-/// Resizes a shape and says how far its centre must be above the surface it rests on.
+/// Resizes a shape and says how far its centre must be from the surface with this normal to rest on it
+/// upright.
 struct Fit {
-  double size;  // radius-like, metres
+  double size;        // radius-like, metres
+  glm::dvec3 normal;  // unit
   double operator()(Sphere& s) const { return s.radius = size; }
   double operator()(Plane&) const { return 0.0; }
   double operator()(Box& b) const {
     b.size = glm::dvec3(2.0 * size);
-    return size;
+    return size * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
   }
   double operator()(Rect& r) const {
     r.size = glm::dvec2(2.0 * size);
@@ -37,9 +39,14 @@ struct Fit {
   double operator()(Cylinder& c) const {
     c.radius = 0.7 * size;
     c.height = 2.0 * size;
-    return size;
+    return size * std::abs(normal.y) + c.radius * std::hypot(normal.x, normal.z);
   }
 };
+
+bool isFlat(const Shape& shape) {
+  return !std::holds_alternative<Sphere>(shape) && !std::holds_alternative<Box>(shape) &&
+         !std::holds_alternative<Cylinder>(shape);
+}
 
 glm::dquat rotationFromTo(const glm::dvec3& from, const glm::dvec3& to) {
   const double cosine = glm::dot(from, to);
@@ -51,10 +58,10 @@ glm::dquat rotationFromTo(const glm::dvec3& from, const glm::dvec3& to) {
 edits::Added placedGeometry(const Scene& scene, Geometry geometry, const Place& place) {
   const double size = roundSize(0.12 * place.distance);
   Transform transform;
-  const double lift = std::visit(Fit{size}, geometry.shape);
+  const double lift = std::visit(Fit{size, place.normal}, geometry.shape);
   transform.translation = place.position + lift * place.normal;
-  // On floors and ceilings things stand upright; elsewhere they lean on the surface.
-  if (std::abs(place.normal.y) < 0.9) transform.rotation = rotationFromTo({0, 1, 0}, place.normal);
+  // Flat things lie on the surface, bodies stand upright.
+  if (isFlat(geometry.shape)) transform.rotation = rotationFromTo({0, 1, 0}, place.normal);
   edits::Added material = edits::addMaterial(scene, Material{.name = edits::kindName(geometry)});
   return edits::addShape(std::move(material.scene), geometry.shape, transform, material.id);
 }

@@ -83,7 +83,7 @@ std::string duration(double seconds) {
 
 std::string countText(std::uint64_t count) {
   std::string digits = std::to_string(count);
-  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), ",");
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), 1, ',');
   return digits;
 }
 
@@ -95,14 +95,18 @@ void statusBar(Ui& ui, const StatusInput& input) {
                              : input.resting ? color::kGood
                                              : color::kAccent),
                      "%s", state);
+  ui.mark(std::string("status/") + state);
   if (ImGui::IsItemHovered())
     tooltip("P pauses and resumes. View > Rest after sets when the viewport is done.");
   figure(ui, "samples", countText(stats.samples) + (stats.samples == 1 ? " sample" : " samples"),
          "Per pixel, complete over the whole picture.");
+  const bool known = stats.mraysPerSecond > 0.0;
   figure(ui, "time",
-         formatted(stats.msPerSample < 10 ? "%.2f ms/sample" : "%.0f ms/sample", stats.msPerSample),
+         !known ? "- ms/sample"
+                : formatted(stats.msPerSample < 10 ? "%.2f ms/sample" : "%.0f ms/sample", stats.msPerSample),
          "Device time for one sample of every pixel.");
-  figure(ui, "rays", formatted("%.1f Mrays/s", stats.mraysPerSecond), "Closest-hit and shadow rays.");
+  figure(ui, "rays", !known ? "- Mrays/s" : formatted("%.1f Mrays/s", stats.mraysPerSecond),
+         "Closest-hit and shadow rays.");
   errorFigure(ui, stats.error);
   healthFigures(ui, stats);
   deviceFigures(ui, input);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "editor/still_file.hpp"
 #include "renderer/still.hpp"
 
 namespace steradian::ui {
@@ -78,16 +79,8 @@ std::optional<double> StillJob::remainingSeconds() const {
 
 void StillJob::write(const plugins::PluginHost& plugins, const std::string& device) {
   if (stats().samples >= 2) renderer_.measureError();
-  const Image radiance = renderer_.radiance(), displayed = renderer_.displayed();
-  plugins::ImageToSave image{
-      radiance.width, radiance.height, radiance.pixels.data(), displayed.pixels.data(), {}};
-  image.metadata = {{"Software", "Steradian"},
-                    {"steradian:scene", sceneName_},
-                    {"steradian:samples", std::to_string(stats().samples)},
-                    {"steradian:seed", std::to_string(seed_)},
-                    {"steradian:device", device}};
-  if (stats().error.valid) image.metadata["steradian:relRmse"] = std::to_string(stats().error.relRmse);
-  plugins.exportImage(image, settings_.path);
+  const bool partial = !goodEnough() && fraction() < 1.0;
+  saveStill(plugins, renderer_, {sceneName_, device, seed_, 0, stats(), partial}, {settings_.path});
 }
 
 }  // namespace steradian::ui

@@ -15,10 +15,10 @@ namespace {
 
 constexpr float kFontSize = 14.5f;  // design pixels
 
-constexpr ImVec4 gray(float value, float alpha = 1.0f) {
+ImVec4 gray(float value, float alpha = 1.0f) {
   return {value, value + 0.006f, value + 0.016f, alpha};
 }
-constexpr ImVec4 accent(float alpha) {
+ImVec4 accent(float alpha) {
   return {0.91f, 0.63f, 0.30f, alpha};
 }
 
@@ -46,6 +46,10 @@ void setControls(ImVec4* colors) {
   colors[ImGuiCol_Header] = gray(0.21f);
   colors[ImGuiCol_HeaderHovered] = gray(0.27f);
   colors[ImGuiCol_HeaderActive] = gray(0.32f);
+  colors[ImGuiCol_Tab] = gray(0.165f);
+  colors[ImGuiCol_TabHovered] = gray(0.30f);
+  colors[ImGuiCol_TabActive] = colors[ImGuiCol_TabUnfocusedActive] = gray(0.27f);
+  colors[ImGuiCol_TabUnfocused] = gray(0.165f);
   colors[ImGuiCol_CheckMark] = accent(1.0f);
   colors[ImGuiCol_SliderGrab] = accent(0.75f);
   colors[ImGuiCol_SliderGrabActive] = accent(1.0f);
@@ -89,6 +93,7 @@ void applyStyle(UiScale scale) {
   style.PopupRounding = 5;
   style.FrameRounding = style.GrabRounding = 4;
   style.ScrollbarRounding = 6;
+  style.TabRounding = 4;
   style.WindowBorderSize = 0;
   style.PopupBorderSize = 1;
   style.WindowTitleAlign = {0.02f, 0.5f};

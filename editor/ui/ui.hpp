@@ -26,11 +26,8 @@ struct Ui {
   std::vector<Request>& requests;
 
   float px(float designPixels) const { return designPixels * scale; }
-  void ask(Command command) { requests.push_back(Run{command}); }
-  template <class R>
-  void ask(R request) {
-    requests.push_back(std::move(request));
-  }
+  void ask(Request request);
+  void ask(Command command);
   /// Names the last ImGui item for tests.
   void mark(std::string_view label) {
     if (labels.wanted()) labels.add(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());

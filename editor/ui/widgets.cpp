@@ -14,7 +14,7 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr float kNameShare = 0.40f;  // of the row's width
+constexpr float kNameShare = 0.36f;  // of the row's width
 constexpr float kTooltipDelay = 0.45f;
 
 std::string formatOf(const NumberField& field) {
@@ -51,6 +51,11 @@ bool drawNumber(const NumberField& field, const char* id, double& value, const s
   const ImGuiSliderFlags flags = flagsOf(field) & ~ImGuiSliderFlags_Logarithmic;
   return ImGui::DragScalar(id, type, &value, float(speed), &field.minimum, &field.maximum, format.c_str(),
                            flags);
+}
+
+ImU32 axisColor(char axis) {
+  if (axis == 'X') return IM_COL32(198, 86, 82, 255);
+  return axis == 'Y' ? IM_COL32(116, 168, 92, 255) : IM_COL32(88, 134, 204, 255);
 }
 
 void delayedTooltip(const char* text) {
@@ -139,31 +144,32 @@ bool Fields::integer(const NumberField& field, int& value) {
   return differs;
 }
 
-bool Fields::vector(const NumberField& field, glm::dvec3& value, const char* axes) {
-  bool changed = false;
-  for (int i = 0; i < 3; ++i) {
-    const std::string name = std::string(field.name) + " " + axes[i];
-    NumberField component = field;
-    component.name = name.c_str();
-    if (number(component, value[i])) {
-      changed = true;
-      lastChanged_ = field.name;
-    }
-  }
+bool Fields::component(const NumberField& field, double& value, char axis, float width) {
+  ImGui::PushID(axis);
+  ImGui::SetNextItemWidth(width);
+  bool changed = drawNumber(field, "##value", value, "%." + std::to_string(field.decimals) + "f");
+  ui_.mark(scopedLabel() + " " + axis);
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  ImGui::GetWindowDrawList()->AddRectFilled({min.x, min.y}, {min.x + ui_.px(3), max.y}, axisColor(axis),
+                                            ui_.px(3), ImDrawFlags_RoundCornersLeft);
+  delayedTooltip((std::string(1, axis) + ". " + helpOf(field)).c_str());
+  changed |= offerReset(field, value);
+  ImGui::PopID();
   return changed;
 }
 
-bool Fields::vector(const NumberField& field, glm::dvec2& value, const char* axes) {
+bool Fields::vector(const NumberField& field, std::span<double> value, const char* axes) {
+  begin(field.name, field.help);
+  const float gap = ui_.px(3);
+  const float width =
+      (ImGui::GetContentRegionAvail().x - gap * float(value.size() - 1)) / float(value.size());
   bool changed = false;
-  for (int i = 0; i < 2; ++i) {
-    const std::string name = std::string(field.name) + " " + axes[i];
-    NumberField component = field;
-    component.name = name.c_str();
-    if (number(component, value[i])) {
-      changed = true;
-      lastChanged_ = field.name;
-    }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    changed |= component(field, value[i], axes[i], width);
   }
+  ImGui::PopID();
+  if (changed) lastChanged_ = field.name;
   return changed;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -36,8 +37,10 @@ class Fields {
   bool number(const NumberField& field, double& value);
   bool number(const NumberField& field, float& value);
   bool integer(const NumberField& field, int& value);
-  bool vector(const NumberField& field, glm::dvec3& value, const char* axes = "XYZ");
-  bool vector(const NumberField& field, glm::dvec2& value, const char* axes = "XZ");
+  /// Components side by side; the unit stands in the name. Labels for tests end in the axis.
+  bool vector(const NumberField& field, std::span<double> value, const char* axes = "XYZ");
+  bool vector(const NumberField& field, glm::dvec3& value) { return vector(field, {&value.x, 3}); }
+  bool vector(const NumberField& field, glm::dvec2& value) { return vector(field, {&value.x, 2}, "XZ"); }
   bool toggle(const char* name, const char* help, bool& value);
   /// Index into `choices`; `helps` may be empty.
   bool choice(const char* name, const char* help, std::initializer_list<const char*> choices, int& index);
@@ -56,6 +59,7 @@ class Fields {
   std::string changeName() const;
 
  private:
+  bool component(const NumberField& field, double& value, char axis, float width);
   bool offerReset(const NumberField& field, double& value);
   std::string scopedLabel() const { return scope_ + "/" + current_; }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugins/host/utf8.hpp"
+
 namespace steradian::plugins {
 
 namespace {
@@ -24,6 +26,15 @@ double checkedValue(const Parameter& parameter, double value, const std::string&
                                    "; expected " +
                                    (parameter.type == Parameter::Type::real ? "a number" : "a whole number") +
                                    " from " + number(low) + " to " + number(high));
+}
+
+/// A message may quote the file, bad bytes and line ends included; what the user sees is one line of valid
+/// text.
+std::string oneLine(std::string text) {
+  const bool valid = isUtf8(text);
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || (!valid && static_cast<unsigned char>(c) > 0x7e)) c = '?';
+  return text;
 }
 
 }  // namespace
@@ -55,7 +66,7 @@ void Call::keeping(Work&& work) noexcept try {
 
 void Call::log(sdk::Text message) noexcept {
   keeping([&] {
-    if (progress_.log) progress_.log(file_ + ": " + message.str());
+    if (progress_.log) progress_.log(file_ + ": " + oneLine(message.str()));
   });
 }
 
@@ -72,7 +83,7 @@ bool Call::cancelled() noexcept {
 }
 
 void Call::fail(sdk::Text message) noexcept {
-  keeping([&] { message_ = message.str(); });
+  keeping([&] { message_ = oneLine(message.str()); });
 }
 
 double Call::parameter(sdk::Text id) noexcept {

@@ -15,7 +15,9 @@ struct ProbeResult {
   std::vector<Contribution> contributions;
 };
 
-/// A running probe. Start several, then collect: they run side by side.
+/// A running probe. Start several, then collect: they run side by side. Construct it before the process has
+/// other threads: the child is a fork, and a lock that another thread held would stay locked in it (then it
+/// times out).
 class Probe {
  public:
   explicit Probe(const std::filesystem::path& file);

@@ -21,7 +21,7 @@ std::string placeOf(std::string_view text, std::size_t position) {
 /// Builds the document while it counts the nesting.
 class Builder final : public Json::json_sax_t {
  public:
-  explicit Builder(std::string_view text) : text_(text) {}
+  Builder(std::string_view text, int deepest) : text_(text), deepest_(std::size_t(deepest)) {}
   Json take() { return std::move(root_); }
 
   bool null() override { return add(nullptr); }
@@ -57,8 +57,8 @@ class Builder final : public Json::json_sax_t {
   }
   bool add(Json&& value) { return add(std::move(value), true) != nullptr; }
   bool open(Json&& value) {
-    if (open_.size() >= std::size_t(kDeepest))
-      throw steradian::sdk::BadInput("is nested deeper than " + std::to_string(kDeepest) + " brackets");
+    if (open_.size() >= deepest_)
+      throw steradian::sdk::BadInput("is nested deeper than " + std::to_string(deepest_) + " brackets");
     open_.push_back(add(std::move(value), true));
     return true;
   }
@@ -68,6 +68,7 @@ class Builder final : public Json::json_sax_t {
   }
 
   std::string_view text_;
+  std::size_t deepest_;
   Json root_;
   std::vector<Json*> open_;  // stay in place: a parent gets no new child while one is open
   std::string key_;
@@ -106,9 +107,9 @@ void append(std::string& out, const OrderedJson& json, int depth) {
 
 }  // namespace
 
-Json parseJson(std::string_view text) {
+Json parseJson(std::string_view text, int deepest) {
   if (text.size() > kLargest) throw steradian::sdk::BadInput("is larger than 256 MiB");
-  Builder builder(text);
+  Builder builder(text, deepest);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();
 }

@@ -14,7 +14,7 @@ inline constexpr int kDeepest = 64;
 inline constexpr std::uint64_t kLargest = 256ull << 20;  // bytes
 
 /// Of duplicate keys the last counts; a byte order mark is skipped. Throws BadInput "line 3, column 7: ...".
-Json parseJson(std::string_view text);
+Json parseJson(std::string_view text, int deepest = kDeepest);
 
 /// Defaults of layout: an array of objects has one per line, and so has an object that holds such an array.
 std::string jsonText(const OrderedJson& json);

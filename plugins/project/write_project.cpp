@@ -69,11 +69,11 @@ class Keys {
 /// Adds the unknown keys of an earlier file. Known ones were settled above; inside of a known object that is
 /// still there they are merged, so an old "sphere" does not come back on a box.
 void addExtras(sdk::Host& host, OrderedJson& out, const sdk::Text& extras,
-               std::initializer_list<const char*> known, bool knownObjectsMayReturn = false) {
+               std::initializer_list<const char*> known, bool atTop = false) {
   if (extras.view().empty()) return;
   Json theirs;
   try {
-    theirs = parseJson(extras.view());
+    theirs = parseJson(extras.view(), atTop ? kDeepest : kDeepest - 2);  // below { "objects": [
   } catch (const sdk::BadInput& error) {
     host.log("unknown keys were not saved: " + std::string(error.what()));
     return;
@@ -85,7 +85,7 @@ void addExtras(sdk::Host& host, OrderedJson& out, const sdk::Text& extras,
     if (there && out[it.key()].is_object() && it->is_object()) {
       for (auto inner = it->begin(); inner != it->end(); ++inner)
         if (!out[it.key()].contains(inner.key())) out[it.key()][inner.key()] = OrderedJson(*inner);
-    } else if (!there && (!isKnown || (knownObjectsMayReturn && it->is_object()))) {
+    } else if (!there && (!isKnown || (atTop && it->is_object()))) {
       out[it.key()] = OrderedJson(*it);
     }
   }
@@ -249,6 +249,8 @@ void writeProject(sdk::Host& host, sdk::SceneView& view, sdk::Writer& writer) {
              "animation"},
             true);
   const std::string text = jsonText(root.json);
+  if (text.size() > kLargest)
+    throw std::runtime_error("the project is larger than 256 MiB, the most that is read");
   writer.write(text.data(), text.size());
 }
 

@@ -12,6 +12,11 @@ namespace steradian::gpu {
 /// A submission that has not answered for so long is taken for lost.
 inline constexpr std::chrono::seconds answerTimeout{10};
 
+using Semaphore = vk::raii::Semaphore;
+
+/// The stage of a frame that reads what the compute queue resolved.
+inline constexpr auto frameReadsPicture = vk::PipelineStageFlagBits::eFragmentShader;
+
 struct Wait {
   vk::Semaphore semaphore;
   vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eAllCommands;

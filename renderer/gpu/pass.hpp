@@ -16,6 +16,9 @@ namespace steradian::gpu {
 inline constexpr std::uint32_t storageBindings = 7;  // bindings 1..7 of set 0
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
+/// What a GraphicsPass draws into, as RenderTarget and Swapchain hand it out.
+using TargetPass = vk::RenderPass;
+
 /// Owned by Device, the same for every pass: set 0 = { 0: samplerBuffer, 1..7: storage buffers } for compute
 /// and fragment shaders, 128 bytes of push constants for compute, vertex and fragment shaders.
 class PassLayout {

@@ -169,4 +169,14 @@ Image Swapchain::screenshot() {
   return image;
 }
 
+Presenter::Handles Swapchain::handles() const {
+  return {static_cast<VkInstance>(*device_.instance()),
+          static_cast<VkPhysicalDevice>(*device_.physical()),
+          static_cast<VkDevice>(*device_.handle()),
+          static_cast<VkQueue>(*device_.graphics().handle),
+          device_.graphics().family,
+          reinterpret_cast<std::uint64_t>(static_cast<VkRenderPass>(*renderPass_)),
+          imageCount()};
+}
+
 }  // namespace steradian::gpu

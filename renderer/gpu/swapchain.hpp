@@ -18,6 +18,8 @@ namespace steradian::gpu {
 /// A frame that is being recorded; belongs to the Swapchain, valid from begin() to end().
 struct Frame {
   const vk::raii::CommandBuffer& cmd;
+  /// The command buffer as others know it (a UI's backend).
+  void* native() const { return static_cast<VkCommandBuffer>(*cmd); }
   std::uint32_t imageIndex;
   std::uint32_t slot;  // of the two frames in flight
   Extent extent;       // of the image; may differ from the framebuffer asked for while a window is resized
@@ -48,6 +50,8 @@ class Swapchain {
   std::vector<PresentMode> availableModes() const;
   /// Stays the same through resizes: pipelines and ImGui may keep it.
   vk::RenderPass renderPass() const { return *renderPass_; }
+  /// What a UI's Vulkan backend is initialised with.
+  Presenter::Handles handles() const;
   std::uint32_t imageCount() const { return std::uint32_t(images_.size()); }
   Extent extent() const { return extent_; }
 

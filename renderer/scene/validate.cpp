@@ -57,11 +57,13 @@ class Checker {
 };
 
 std::string place(const Object& object) {
-  return "object '" + (object.name.empty() ? "#" + std::to_string(unsigned(object.id)) : object.name) + "'";
+  return "object '" +
+         (object.name.empty() ? std::string("#") + std::to_string(unsigned(object.id)) : object.name) + "'";
 }
 std::string place(const Material& material) {
   return "material '" +
-         (material.name.empty() ? "#" + std::to_string(unsigned(material.id)) : material.name) + "'";
+         (material.name.empty() ? std::string("#") + std::to_string(unsigned(material.id)) : material.name) +
+         "'";
 }
 
 void checkScale(Checker& check, const std::string& field, const glm::dvec3& scale) {

@@ -19,7 +19,6 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-LAUNCHER = os.path.join(ROOT, "steradian")
 TARGETS = (0.05, 0.01)
 REFERENCE_SEED, TEST_SEED = 7, 1
 
@@ -57,7 +56,7 @@ def render_cycles(task, path, spp, seed):
 def render_steradian(task, path, spp, seed):
     report = path.replace(".exr", ".json")
     run(
-        [LAUNCHER, "render", task.room, "-o", path, "--spp", str(spp), "--seed", str(seed), "--report", report]
+        [task.steradian, "render", task.room, "-o", path, "--spp", str(spp), "--seed", str(seed), "--report", report]
         + ["--size", task.size, "--bounces", str(task.bounces)]
         + (["--device", task.device] if task.device else [])
     )
@@ -66,8 +65,8 @@ def render_steradian(task, path, spp, seed):
     return seconds["trace"]
 
 
-def compare(a, b):
-    return json.loads(run([LAUNCHER, "compare", "--json", a, b]))
+def compare(task, a, b):
+    return json.loads(run([task.steradian, "compare", "--json", a, b]))
 
 
 class Peer:
@@ -85,21 +84,23 @@ class Peer:
     def measure(self, task, spp):
         path = self.image(task, f"{spp}spp")
         seconds = self.render(task, path, spp, TEST_SEED)
-        error = compare(path, self.image(task, "reference"))["relRmse"]
+        error = compare(task, path, self.image(task, "reference"))["relRmse"]
         self.points.append((spp, seconds, error))
         print(f"{self.name:>10} {spp:6d} samples {seconds:9.2f} s   relRMSE {100 * error:7.2f} %", flush=True)
 
     def fit(self):
-        """Least squares of log error over log seconds: (intercept, slope)."""
-        x = [math.log(seconds) for _, seconds, _ in self.points]
+        """Least squares of log error over log samples: (intercept, slope)."""
+        x = [math.log(spp) for spp, _, _ in self.points]
         y = [math.log(error) for _, _, error in self.points]
         mx, my = sum(x) / len(x), sum(y) / len(y)
         slope = sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
         return my - slope * mx, slope
 
     def seconds_to(self, error):
+        """The samples that the fit asks for, at the pace of the longest run."""
         intercept, slope = self.fit()
-        return math.exp((math.log(error) - intercept) / slope)
+        spp, seconds, _ = max(self.points)
+        return math.exp((math.log(error) - intercept) / slope) * seconds / spp
 
     def reaches(self, error):
         return min(point[2] for point in self.points) <= error
@@ -108,12 +109,12 @@ class Peer:
 def print_result(cycles, steradian, task):
     print()
     for peer in (cycles, steradian):
-        print(f"{peer.name}: error falls as seconds^{peer.fit()[1]:.2f}")
+        print(f"{peer.name}: error falls as samples^{peer.fit()[1]:.2f}")
     for target in TARGETS:
         a, b = cycles.seconds_to(target), steradian.seconds_to(target)
         marks = ["" if peer.reaches(target) else " (extrapolated)" for peer in (cycles, steradian)]
         print(f"time to {100 * target:.0f} %: cycles {a:.1f} s{marks[0]}, steradian {b:.1f} s{marks[1]}, ratio {a / b:.1f}")
-    models = compare(steradian.image(task, "reference"), cycles.image(task, "reference"))
+    models = compare(task, steradian.image(task, "reference"), cycles.image(task, "reference"))
     ratio = ", ".join(f"{value:.4f}" for value in models["meanRatio"])
     print(f"steradian's reference against cycles': mean ratio {ratio}, relRMSE {100 * models['relRmse']:.2f} %")
 
@@ -126,6 +127,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--project", default=os.path.join(ROOT, "projects", "thesis-room", "thesis-room.srad"))
     parser.add_argument("--folder", default=os.path.join(ROOT, "build", "peers"))
+    parser.add_argument("--steradian", default=os.path.join(ROOT, "steradian"), help="the launcher or binary")
     parser.add_argument("--size", default="256x256")
     parser.add_argument("--bounces", type=int, default=32)
     parser.add_argument("--threads", type=int, default=2)

@@ -26,7 +26,9 @@ gpu::Buffer upload(const gpu::Device& device, Rows rows, std::size_t atLeast) {
 
 std::shared_ptr<gpu::Device> KernelTest::device_;
 
-void KernelTest::SetUpTestSuite() { device_ = openDevice({}); }
+void KernelTest::SetUpTestSuite() {
+  device_ = openDevice({});
+}
 
 void KernelTest::TearDownTestSuite() {
   EXPECT_EQ(device_->validationMessages(), 0);
@@ -46,16 +48,19 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
   const std::array<const gpu::Buffer*, gpu::storageBindings> storage = {nullptr, nullptr, nullptr, nullptr,
                                                                         nullptr, &in,     &out};
   const gpu::Bindings bindings(device, &scene, storage);
+  std::vector<std::byte> push = task.push;
+  push.resize(gpu::pushConstantBytes);  // what a shader names must be set, used or not
   const gpu::Specialization operation{operationConstant, task.operation};
   const gpu::ComputePass pass(device, kernel.spirv, {&operation, 1}, kernel.name);
   device.run(gpu::QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
-    pass.dispatch(cmd, bindings, task.push.data(), task.push.size(), std::uint32_t(groupsX),
-                  std::uint32_t(groupsY));
+    pass.dispatch(cmd, bindings, push.data(), push.size(), std::uint32_t(groupsX), std::uint32_t(groupsY));
   });
   return gpu::downloadAs<glm::vec4>(device, out, 0, wanted * task.rowsOut);
 }
 
-double Random::decades(double low, double high) { return std::pow(10.0, uniform(low, high)); }
+double Random::decades(double low, double high) {
+  return std::pow(10.0, uniform(low, high));
+}
 
 glm::dvec3 Random::direction() {
   const double z = uniform(-1.0, 1.0), phi = uniform(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);

@@ -27,8 +27,8 @@ struct Kernel {
 /// What an operation of a kernel reads and writes.
 struct Task {
   std::uint32_t operation = 0;
-  std::size_t rowsIn = 1;   // per invocation; 0 = the questions are shared by all
-  std::size_t rowsOut = 1;  // per invocation
+  std::size_t rowsIn = 1;       // per invocation; 0 = the questions are shared by all
+  std::size_t rowsOut = 1;      // per invocation
   std::size_t invocations = 0;  // 0 = as many as the questions need
   std::vector<std::byte> push = {};
   Rows scene = {};  // binding 0
@@ -68,9 +68,13 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-inline glm::dvec3 xyz(glm::vec4 v) { return glm::dvec3(v.x, v.y, v.z); }
+inline glm::dvec3 xyz(glm::vec4 v) {
+  return glm::dvec3(v.x, v.y, v.z);
+}
 /// A miss, as the shaders say it.
-inline bool missed(float t) { return t >= 1e30f; }
+inline bool missed(float t) {
+  return t >= 1e30f;
+}
 /// The distance between the floats around x.
 double ulp(double x);
 

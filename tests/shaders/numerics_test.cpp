@@ -115,7 +115,8 @@ TEST_F(Numerics, frames_are_orthonormal_around_every_direction) {
 }
 
 TEST_F(Numerics, infinities_and_nan_are_seen_by_their_bits) {
-  const Rows rows = {{1, 0, 0, 0}, {INFINITY, 0, 0, 0}, {-INFINITY, 0, 0, 0}, {NAN, 0, 0, 0}, {3e38, 0, 0, 0}};
+  const Rows rows = {
+      {1, 0, 0, 0}, {INFINITY, 0, 0, 0}, {-INFINITY, 0, 0, 0}, {NAN, 0, 0, 0}, {3e38, 0, 0, 0}};
   const Rows answers = run(numerics, {.operation = 5}, rows);
   const float finite[] = {1, 0, 0, 0, 1};
   for (std::size_t i = 0; i < rows.size(); ++i) {

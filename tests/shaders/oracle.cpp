@@ -18,7 +18,9 @@ std::optional<Interval> slab(Real o, Real d, std::optional<Interval> so) {
   return cut.enter <= cut.leave ? std::optional(cut) : std::nullopt;
 }
 
-Real tan2(Vec v) { return (v.x * v.x + v.y * v.y) / (v.z * v.z); }
+Real tan2(Vec v) {
+  return (v.x * v.x + v.y * v.y) / (v.z * v.z);
+}
 
 template <std::size_t N>
 Gauss<N> gauss() {
@@ -57,10 +59,10 @@ std::optional<Interval> box(Vec o, Vec d) {
 }
 
 std::optional<Interval> cylinder(Vec o, Vec d) {
-  const std::optional<Interval> tube = d.x == 0 && d.z == 0
-                                           ? (o.x * o.x + o.z * o.z <= 1 ? std::optional(Interval{-1e300L, 1e300L})
-                                                                         : std::nullopt)
-                                           : sphere(Vec(o.x, 0, o.z), Vec(d.x, 0, d.z), Vec(0), 1);
+  const std::optional<Interval> tube =
+      d.x == 0 && d.z == 0
+          ? (o.x * o.x + o.z * o.z <= 1 ? std::optional(Interval{-1e300L, 1e300L}) : std::nullopt)
+          : sphere(Vec(o.x, 0, o.z), Vec(d.x, 0, d.z), Vec(0), 1);
   return slab(o.y, d.y, tube);
 }
 
@@ -79,8 +81,12 @@ Real lambda(Vec v, Real alpha) {
   return x / (2 * (1 + std::sqrt(1 + x)));
 }
 
-Real g1(Vec v, Real alpha) { return 1 / (1 + lambda(v, alpha)); }
-Real g2(Vec o, Vec i, Real alpha) { return 1 / (1 + lambda(o, alpha) + lambda(i, alpha)); }
+Real g1(Vec v, Real alpha) {
+  return 1 / (1 + lambda(v, alpha));
+}
+Real g2(Vec o, Vec i, Real alpha) {
+  return 1 / (1 + lambda(o, alpha) + lambda(i, alpha));
+}
 
 Real visiblePdf(Vec wo, Vec m, Real alpha) {
   return g1(wo, alpha) * std::max(Real(0), glm::dot(wo, m)) * ggxD(m, alpha) / wo.z;
@@ -91,7 +97,9 @@ Real reflectedPdf(Vec wo, Vec wi, Real alpha) {
   return visiblePdf(wo, m, alpha) / (4 * glm::dot(wo, m));
 }
 
-Real schlick(Real f0, Real f90, Real cosine) { return f0 + (f90 - f0) * std::pow(1 - cosine, 5.0L); }
+Real schlick(Real f0, Real f90, Real cosine) {
+  return f0 + (f90 - f0) * std::pow(1 - cosine, 5.0L);
+}
 
 Real fresnel(Real cosine, Real eta) {
   const Real incident = std::acos(cosine), sine = std::sin(incident) / eta;
@@ -103,8 +111,12 @@ Real fresnel(Real cosine, Real eta) {
   return (s * s + p * p) / 2;
 }
 
-Gauss<8> gauss8() { return gauss<8>(); }
-Gauss<16> gauss16() { return gauss<16>(); }
+Gauss<8> gauss8() {
+  return gauss<8>();
+}
+Gauss<16> gauss16() {
+  return gauss<16>();
+}
 
 double chiSquareP(double statistic, double degrees) {
   const double v = 2.0 / (9.0 * degrees);

@@ -10,7 +10,9 @@ namespace steradian::oracle {
 using Real = long double;
 using Vec = glm::vec<3, Real>;
 
-inline Vec vec(glm::dvec3 v) { return Vec(v); }
+inline Vec vec(glm::dvec3 v) {
+  return Vec(v);
+}
 
 /// Distances (in units of the length of d) at which a ray enters and leaves a convex shape.
 struct Interval {
@@ -46,7 +48,8 @@ struct Gauss {
 Gauss<8> gauss8();
 Gauss<16> gauss16();
 
-/// Chi-square survival function by Wilson and Hilferty's cube root (good to 1e-3 beyond 30 degrees of freedom).
+/// Chi-square survival function by Wilson and Hilferty's cube root (good to 1e-3 beyond 30 degrees of
+/// freedom).
 double chiSquareP(double statistic, double degrees);
 
 }  // namespace steradian::oracle

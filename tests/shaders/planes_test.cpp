@@ -29,9 +29,9 @@ TEST_F(Planes, row06_the_floor_is_below_and_not_behind) {
   push(rays, {0, 1, 0}, {1, 0, 0}, {0, 1, 0, 0});
   push(rays, {0, 0, 0}, {1, 0, 0}, {0, 1, 0, 0});
   const Rows answers = run(shapes, planeTask, rays);
-  EXPECT_EQ(answers[0].x, 1.0f);
+  EXPECT_FLOAT_EQ(answers[0].x, 1.0f);
   EXPECT_TRUE(missed(answers[1].x)) << "away from it";
-  EXPECT_EQ(answers[2].x, 2.0f) << "planes have two sides";
+  EXPECT_FLOAT_EQ(answers[2].x, 2.0f) << "planes have two sides";
   EXPECT_TRUE(missed(answers[3].x)) << "parallel";
   EXPECT_TRUE(missed(answers[4].x)) << "parallel and inside";
 }
@@ -43,7 +43,8 @@ TEST_F(Planes, row06_planes_a_million_metres_away_keep_six_digits) {
   while (truth.size() < 1 << 16) {
     const glm::vec3 n(random.direction()), d(random.direction());
     const glm::dvec3 point = random.direction() * 1e6;
-    const oracle::Real offset = glm::dot(oracle::Vec(n), oracle::Vec(point)), slope = glm::dot(oracle::Vec(n), oracle::Vec(d));
+    const oracle::Real offset = glm::dot(oracle::Vec(n), oracle::Vec(point)),
+                       slope = glm::dot(oracle::Vec(n), oracle::Vec(d));
     if (std::fabs(slope) < 0.1 || offset / slope < 1e5) continue;
     truth.push_back(offset / slope);
     push(rays, {0, 0, 0}, glm::dvec3(d), {n, float(offset)});

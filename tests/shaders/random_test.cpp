@@ -8,6 +8,7 @@
 
 #include "shaders/kernel_random.comp.h"
 #include "tests/shaders/kernel.hpp"
+#include "tests/shaders/oracle.hpp"
 
 namespace steradian::kernel {
 namespace {
@@ -23,7 +24,8 @@ class Sampler : public KernelTest {
   /// (pair x, pair y, independent, another independent) by pixel, then by sample.
   static Rows draw(std::size_t pixels, const Push& push) {
     return run(randomKernel,
-               {.operation = 1, .rowsIn = 0, .invocations = pixels * push.samples, .push = pushBytes(push)}, {});
+               {.operation = 1, .rowsIn = 0, .invocations = pixels * push.samples, .push = pushBytes(push)},
+               {});
   }
 };
 
@@ -61,7 +63,8 @@ bool isNet(const glm::vec4* points, int k) {
   for (int split = 0; split <= k; ++split) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> cells;
     for (int i = 0; i < 1 << k; ++i)
-      cells.emplace(std::uint32_t(std::ldexp(points[i].x, split)), std::uint32_t(std::ldexp(points[i].y, k - split)));
+      cells.emplace(std::uint32_t(std::ldexp(points[i].x, split)),
+                    std::uint32_t(std::ldexp(points[i].y, k - split)));
     if (cells.size() != std::size_t(1) << k) return false;
   }
   return true;
@@ -90,8 +93,12 @@ TEST_F(Sampler, row37_pixels_dimensions_and_halves_are_uncorrelated) {
   constexpr std::size_t n = 1 << 16;
   // One sample per pixel: neighbours, dimensions, half-buffers and sample indices are then all independent.
   std::vector<std::vector<double>> series;
-  const Push pushes[] = {{.dimension = 0}, {.dimension = 1}, {.dimension = 2}, {.dimension = 0, .halfBuffer = 1},
-                         {.dimension = 0, .begin = 1}, {.dimension = 0, .begin = 2}};
+  const Push pushes[] = {{.dimension = 0},
+                         {.dimension = 1},
+                         {.dimension = 2},
+                         {.dimension = 0, .halfBuffer = 1},
+                         {.dimension = 0, .begin = 1},
+                         {.dimension = 0, .begin = 2}};
   for (const Push& push : pushes) {
     const Rows points = draw(n, push);
     for (int component = 0; component < 4; ++component) {
@@ -112,6 +119,24 @@ TEST_F(Sampler, row37_pixels_dimensions_and_halves_are_uncorrelated) {
       EXPECT_LT(std::fabs(correlation(series[a], series[b])), gate) << "series " << a << " and " << b;
     }
   }
+}
+
+TEST_F(Sampler, row37_each_sample_alone_is_uniform_in_the_square) {
+  // Over pixels one sample of a fixed index must fill the square, or the estimate is biased: the two
+  // scrambles of a pair and the shuffle of its index may not share bits.
+  constexpr int cells = 16;
+  constexpr std::size_t pixels = 1 << 18;
+  for (const std::uint32_t index : {0u, 1u, 2u, 3u, 100u})
+    for (const std::uint32_t dimension : {0u, 3u}) {
+      std::vector<double> seen(cells * cells, 0.0);
+      for (const glm::vec4& p : draw(pixels, {.dimension = dimension, .begin = index}))
+        seen[std::size_t(p.x * cells) * cells + std::size_t(p.y * cells)] += 1.0;
+      const double expected = double(pixels) / (cells * cells);
+      double statistic = 0;
+      for (const double count : seen) statistic += (count - expected) * (count - expected) / expected;
+      EXPECT_GT(oracle::chiSquareP(statistic, cells * cells - 1), 1e-4)
+          << "index " << index << ", dimension " << dimension << ": chi-square " << statistic;
+    }
 }
 
 using Integrand = std::function<double(double, double)>;

@@ -24,7 +24,7 @@ inline Task sceneTask(std::uint32_t operation, Count kind, const Rows& shape) {
   params.width = params.height = 64;
   params.*kind = 1;
   const Rows rows = sceneRows(shape);
-  params.materialRow = params.lightRow = params.linkRow = std::uint32_t(rows.size());
+  params.materialRow = params.lightRow = params.objectRow = std::uint32_t(rows.size());
   return {.operation = operation,
           .rowsIn = 2,
           .rowsOut = operation == 0 ? 3u : 1u,

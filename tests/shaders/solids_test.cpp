@@ -26,7 +26,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat3& worldFromUnit, const glm::dvec
 }
 
 void push(Rows& rows, glm::dvec3 o, glm::dvec3 d, const std::array<glm::vec4, 3>& shape) {
-  rows.insert(rows.end(), {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(d), 0), shape[0], shape[1], shape[2]});
+  rows.insert(rows.end(),
+              {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(d), 0), shape[0], shape[1], shape[2]});
 }
 
 const std::array<glm::vec4, 3> unit = rowsOf(glm::dmat3(1.0), glm::dvec3(0.0));
@@ -44,8 +45,8 @@ TEST_F(Solids, row12_rays_in_the_plane_of_a_face_hit_the_box) {
         }
   const Rows answers = run(shapes, {.operation = 3, .rowsIn = 5}, rays);
   for (std::size_t i = 0; i < answers.size(); ++i)
-    EXPECT_FLOAT_EQ(answers[i].x, 4.0f) << "from " << rays[5 * i].x << " " << rays[5 * i].y << " " << rays[5 * i].z
-                                        << " face axis " << i / 2 % 3;
+    EXPECT_FLOAT_EQ(answers[i].x, 4.0f) << "from " << rays[5 * i].x << " " << rays[5 * i].y << " "
+                                        << rays[5 * i].z << " face axis " << i / 2 % 3;
 }
 
 TEST_F(Solids, row12_parallel_rays_beside_the_box_miss_it) {
@@ -56,7 +57,8 @@ TEST_F(Solids, row12_parallel_rays_beside_the_box_miss_it) {
       o[axis] = beside, o[(axis + 1) % 3] = -5.0, d[(axis + 1) % 3] = 1.0;
       push(rays, o, d, unit);
     }
-  for (const glm::vec4 answer : run(shapes, {.operation = 3, .rowsIn = 5}, rays)) EXPECT_TRUE(missed(answer.x));
+  for (const glm::vec4 answer : run(shapes, {.operation = 3, .rowsIn = 5}, rays))
+    EXPECT_TRUE(missed(answer.x));
 }
 
 TEST_F(Solids, row12_a_box_of_a_tenth_of_a_micrometre_stops_every_ray) {
@@ -66,7 +68,8 @@ TEST_F(Solids, row12_a_box_of_a_tenth_of_a_micrometre_stops_every_ray) {
     const glm::dvec3 centre(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
     const glm::dvec3 target = centre + glm::dvec3(0, random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9));
     const glm::dvec3 o = target + random.direction() * random.uniform(1, 5);
-    push(rays, o, glm::normalize(target - o), rowsOf(glm::dmat3({0.5e-7, 0, 0}, {0, 1, 0}, {0, 0, 1}), centre));
+    push(rays, o, glm::normalize(target - o),
+         rowsOf(glm::dmat3({0.5e-7, 0, 0}, {0, 1, 0}, {0, 0, 1}), centre));
   }
   int misses = 0;
   for (const glm::vec4 answer : run(shapes, {.operation = 3, .rowsIn = 5}, rays)) misses += missed(answer.x);
@@ -100,8 +103,8 @@ oracle::Real cylinderDistance(oracle::Vec p) {
 }
 
 const Kind kinds[] = {
-    {"box", 3, &gpu::TraceParams::boxCount,
-     [](auto o, auto d) { return oracle::nearest(oracle::box(o, d)); }, boxDistance},
+    {"box", 3, &gpu::TraceParams::boxCount, [](auto o, auto d) { return oracle::nearest(oracle::box(o, d)); },
+     boxDistance},
     {"rect", 4, &gpu::TraceParams::rectCount, [](auto o, auto d) { return flat(o, d, false); },
      [](auto p) { return p.y; }},
     {"disk", 5, &gpu::TraceParams::diskCount, [](auto o, auto d) { return flat(o, d, true); },
@@ -132,7 +135,9 @@ oracle::Vec toUnit(const glm::vec4* shape, oracle::Vec v) {
   return out;
 }
 
-oracle::Vec centreOf(const glm::vec4* shape) { return {shape[0].w, shape[1].w, shape[2].w}; }
+oracle::Vec centreOf(const glm::vec4* shape) {
+  return {shape[0].w, shape[1].w, shape[2].w};
+}
 
 TEST_F(Solids, row13_shapes_of_any_size_agree_with_long_double) {
   constexpr int count = 200000;
@@ -142,7 +147,8 @@ TEST_F(Solids, row13_shapes_of_any_size_agree_with_long_double) {
     for (int i = 0; i < count; ++i) {
       const Affine shape = randomAffine(random);
       const glm::dvec3 o = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 8));
-      const glm::dvec3 target = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1.5));
+      const glm::dvec3 target =
+          shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1.5));
       push(rays, o, glm::normalize(target - o), rowsOf(shape.worldFromUnit, shape.centre));
     }
     const Rows answers = run(shapes, {.operation = kind.operation, .rowsIn = 5}, rays);
@@ -181,20 +187,24 @@ TEST_F(Solids, row13_hit_points_lie_on_the_surface_and_normals_are_outward_units
       Rows rays;
       for (int i = 0; i < count; ++i) {
         const glm::dvec3 o = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(2, 8));
-        const glm::dvec3 target = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1));
-        rays.insert(rays.end(), {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(glm::normalize(target - o)), 0)});
+        const glm::dvec3 target =
+            shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1));
+        rays.insert(rays.end(),
+                    {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(glm::normalize(target - o)), 0)});
       }
       const Rows answers =
           run(sceneKernel, sceneTask(0, kind.count, {stored[0], stored[1], stored[2]}), rays);
       double away = 0, length = 0, outward = 1;
       for (std::size_t i = 0; i < count; ++i) {
         if (missed(answers[3 * i].x)) continue;
-        const oracle::Vec p = toUnit(stored.data(), oracle::Vec(xyz(answers[3 * i + 1])) - centreOf(stored.data()));
+        const oracle::Vec p =
+            toUnit(stored.data(), oracle::Vec(xyz(answers[3 * i + 1])) - centreOf(stored.data()));
         const oracle::Vec n(xyz(answers[3 * i + 2]));
         away = std::max(away, double(std::fabs(kind.residual(p))));
         length = std::max(length, double(std::fabs(glm::length(n) - 1)));
-        outward = std::min(outward, double(glm::dot(n, oracle::Vec(glm::dvec3(shape.worldFromUnit * glm::dvec3(p)))) /
-                                           glm::length(shape.worldFromUnit[0])));
+        outward = std::min(outward,
+                           double(glm::dot(n, oracle::Vec(glm::dvec3(shape.worldFromUnit * glm::dvec3(p)))) /
+                                  glm::length(shape.worldFromUnit[0])));
       }
       EXPECT_LE(away, 2e-6) << kind.name;
       EXPECT_LE(length, 3e-7) << kind.name;
@@ -216,8 +226,10 @@ TEST_F(Solids, row05_no_shape_hits_itself_and_no_solid_leaks) {
       for (int i = 0; i < count; ++i) {
         const double from = i % 2 ? random.uniform(2, 8) : random.uniform(0, 0.9);
         const glm::dvec3 o = shape.centre + shape.worldFromUnit * (random.direction() * from);
-        const glm::dvec3 target = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1));
-        rays.insert(rays.end(), {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(glm::normalize(target - o)), 0)});
+        const glm::dvec3 target =
+            shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1));
+        rays.insert(rays.end(),
+                    {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(glm::normalize(target - o)), 0)});
       }
       for (const glm::vec4 answer :
            run(sceneKernel, sceneTask(1, kind.count, {stored[0], stored[1], stored[2]}), rays)) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "renderer/scene/error.hpp"
 #include "renderer/scene/validate.hpp"
@@ -16,7 +16,7 @@ namespace {
 Object object(unsigned id, unsigned parent, const glm::dvec3& translation = {}) {
   Object o;
   o.id = Id(id);
-  o.name = "o" + std::to_string(id);
+  o.name = std::string("o") + std::to_string(id);
   o.parent = Id(parent);
   o.transform.translation = translation;
   return o;
@@ -65,14 +65,15 @@ TEST(Scene, cyclic_and_broken_parents_end_the_walk) {
   EXPECT_TRUE(visibleInHierarchy(scene, Id(1)));
 }
 
-TEST(Scene, a_chain_of_100000_parents_takes_less_than_a_second) {
+TEST(Scene, a_chain_of_100000_parents_takes_linear_time) {
   const Scene scene = chain(100000);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // of this process: other load must not matter
   EXPECT_EQ(worldFromObject(scene, Id(100000))[3].x, 100000.0);
   EXPECT_EQ(worldTransforms(scene).front()[3].x, 100000.0);
   EXPECT_TRUE(hierarchyVisibility(scene).front());
   EXPECT_TRUE(problemsOf(scene).empty());
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+  // Linear takes some 50 ms, quadratic more than a minute.
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
 }
 
 TEST(Scene, hiding_an_object_hides_what_is_inside_it) {

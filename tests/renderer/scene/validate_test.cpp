@@ -21,7 +21,7 @@ Scene sound() {
   scene.objects.resize(4);
   for (unsigned i = 0; i < 4; ++i) {
     scene.objects[i].id = Id(i + 1);
-    scene.objects[i].name = "o" + std::to_string(i + 1);
+    scene.objects[i].name = std::string("o") + std::to_string(i + 1);
   }
   scene.objects[0].content = Geometry{Sphere{}, Id(5)};
   scene.objects[1].content = Light{SpotLight{}};

@@ -6,7 +6,19 @@
 #include "bsdf.glsl"
 #include "random.glsl"
 
-// Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, lobe bits).
+Lobes lobesOf(vec3 diffuse, vec3 f0, float f90, vec2 dielectric, float alpha) {
+  Lobes lobes;
+  lobes.diffuse = diffuse;
+  lobes.f0 = f0;
+  lobes.f90 = f90;
+  lobes.dielectricF0 = dielectric.x;
+  lobes.dielectricF90 = dielectric.y;
+  lobes.alpha = alpha;
+  return lobes;
+}
+Lobes whiteFacets(float alpha) { return lobesOf(vec3(0.0), vec3(1.0), 1.0, vec2(0.0), alpha); }
+
+// Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, -, -, lobe bits).
 struct Question {
   Lobes lobes;
   vec3 wo;
@@ -22,7 +34,7 @@ Question fetchQuestion(uint first) {
   vec4 d = questions[first + 3u];
   vec4 e = questions[first + 4u];
   uint bits = uint(e.w);
-  return Question(Lobes(c.xyz, d.xyz, e.xyz, c.w, d.w, a.w), a.xyz, b.xyz, b.w, (bits & 1u) != 0u,
+  return Question(lobesOf(c.xyz, d.xyz, e.x, vec2(c.w, d.w), a.w), a.xyz, b.xyz, b.w, (bits & 1u) != 0u,
                   (bits & 2u) != 0u, (bits & 4u) != 0u);
 }
 
@@ -50,7 +62,7 @@ void main() {
   } else if (kOperation == 3u) {
     // White mirror facets: (wo, alpha) (wi, -).
     vec4 a = questions[2u * at];
-    Lobes lobes = Lobes(vec3(0.0), vec3(1.0), vec3(1.0), 0.0, 0.0, a.w);
+    Lobes lobes = whiteFacets(a.w);
     BsdfValue value = evalBsdf(lobes, a.xyz, questions[2u * at + 1u].xyz, 1.0, false, true);
     answers[at] = vec4(value.fCos, value.pdf);
   } else if (kOperation == 4u) {
@@ -62,7 +74,15 @@ void main() {
   } else if (kOperation == 5u) {
     // (cosine, eta, f0, f90).
     vec4 q = questions[at];
-    answers[at] = vec4(fresnelDielectric(q.x, q.y), fresnelSchlick(vec3(q.z), vec3(q.w), q.x).x, pow5(q.x), 0.0);
+    answers[at] = vec4(fresnelDielectric(q.x, q.y), fresnelSchlick(vec3(q.z), q.w, q.x).x, pow5(q.x), 0.0);
+  } else if (kOperation == 7u) {
+    // The same from world directions, as the path tracer has them: (n, alpha) (wo, -) (wi, -).
+    vec4 a = questions[3u * at];
+    Frame frame = frameAround(a.xyz);
+    Lobes lobes = whiteFacets(a.w);
+    BsdfValue value = evalBsdf(lobes, toLocal(frame, questions[3u * at + 1u].xyz),
+                               toLocal(frame, questions[3u * at + 2u].xyz), 1.0, false, true);
+    answers[at] = vec4(value.fCos, value.pdf);
   } else {
     Question q = fetchQuestion(5u * at);
     answers[at] = vec4(specularChance(q.lobes, q.wo.z), diffuseReflectance(q.lobes, q.second.z));

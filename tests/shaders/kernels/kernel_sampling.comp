@@ -3,6 +3,7 @@
 // sampling.glsl: warps of the unit square, fed with independent numbers so that histograms may be compared.
 #extension GL_GOOGLE_include_directive : require
 #include "kernel.glsl"
+#include "bsdf.glsl"
 #include "random.glsl"
 #include "sampling.glsl"
 
@@ -19,6 +20,6 @@ void main() {
     answers[at] = vec4(cosineHemisphere(c, s, u), 0.0);
   } else {
     vec4 q = questions[0];  // outgoing direction, alpha
-    answers[at] = vec4(visibleNormal(q.xyz, q.w, c, s, u), 0.0);
+    answers[at] = vec4(normalize(visibleNormal(q.xyz, q.w, ggxA(q.z, q.w), c, s, u)), 0.0);
   }
 }

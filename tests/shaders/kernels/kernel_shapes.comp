@@ -16,14 +16,14 @@ void main() {
   bool inside = b.w != 0.0;
   LocalRay ray = toUnit(a.xyz, b.xyz, row0, row1, row2);
   float t = 0.0;
-  if (kOperation == 0u) t = hitSphere(a.xyz, b.xyz, row0.xyz, row0.w, self);
-  else if (kOperation == 1u) t = hitLargeSphere(a.xyz, b.xyz, row0, row1, self);
+  if (kOperation == 0u) t = hitSphere(a.xyz, b.xyz, row0.xyz, row0.w, self, inside);
+  else if (kOperation == 1u) t = hitLargeSphere(a.xyz, b.xyz, row0, row1, self, inside);
   else if (kOperation == 2u) t = hitPlane(a.xyz, b.xyz, row0, self);
   else if (kOperation == 3u) t = hitBox(ray, self, inside);
   else if (kOperation == 4u) t = hitRect(ray, self);
   else if (kOperation == 5u) t = hitDisk(ray, self);
   else if (kOperation == 6u) t = hitCylinder(ray, self, inside);
-  else if (kOperation == 7u) t = hitEllipsoid(ray, self);
+  else if (kOperation == 7u) t = hitEllipsoid(ray, self, inside);
   else t = sphereTermDouble(a.xyz, row0, row1);
   answers[invocation()] = vec4(t, 0.0, 0.0, 0.0);
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// EXR files read back bit for bit, with their colour space and metadata.
+#include <OpenImageIO/imageio.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "tests/plugins/fixture.hpp"
+
+namespace steradian::plugins {
+namespace {
+
+class Exr : public FolderTest {
+ protected:
+  struct Read {
+    OIIO::ImageSpec spec;
+    std::vector<float> pixels;
+  };
+  Read saved(const std::vector<float>& pixels, int width, const Parameters& parameters = {}) {
+    ImageToSave image{.width = width, .height = int(pixels.size()) / 3 / width, .radiance = pixels.data()};
+    image.metadata = {{"samplesPerPixel", "64"}, {"Software", "Steradian test"}};
+    const fs::path file = folder / "a.exr";
+    stockPlugins().exportImage(image, file, {}, parameters);
+    const auto input = OIIO::ImageInput::create("openexr");
+    Read out;
+    EXPECT_TRUE(input && input->open(file.string(), out.spec)) << OIIO::geterror();
+    out.pixels.resize(pixels.size());
+    EXPECT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, out.pixels.data())) << input->geterror();
+    return out;
+  }
+};
+
+TEST_F(Exr, FloatsComeBackBitForBit) {
+  std::mt19937 random(3);
+  std::vector<float> pixels(37 * 131 * 3);  // not a multiple of the rows written at once
+  for (float& v : pixels) {
+    const std::uint32_t bits = random();
+    std::memcpy(&v, &bits, 4);  // every pattern: denormals, infinities, NaN
+  }
+  const Read read = saved(pixels, 37);
+  EXPECT_EQ(read.spec.width, 37);
+  EXPECT_EQ(read.spec.height, 131);
+  EXPECT_EQ(read.spec.nchannels, 3);
+  EXPECT_EQ(read.spec.format, OIIO::TypeDesc::FLOAT);
+  EXPECT_EQ(std::memcmp(read.pixels.data(), pixels.data(), pixels.size() * 4), 0);
+}
+
+TEST_F(Exr, CarriesRec709ZipAndMetadata) {
+  const Read read = saved({1, 2, 3}, 1);
+  EXPECT_EQ(read.spec.get_string_attribute("compression"), "zip");
+  EXPECT_EQ(read.spec.get_string_attribute("samplesPerPixel"), "64");
+  EXPECT_EQ(read.spec.get_string_attribute("Software"), "Steradian test");
+  float chromaticities[8] = {};
+  ASSERT_TRUE(
+      read.spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities));
+  const float rec709[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(chromaticities[i], rec709[i]);
+}
+
+TEST_F(Exr, HalfIsBoundedInsteadOfBecomingInfinite) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  const Read read = saved({infinity, 65520.0f, -infinity, 0.1f, 1.0f, 65504.0f}, 2, {{"half", 1.0}});
+  EXPECT_EQ(read.spec.format, OIIO::TypeDesc::HALF);
+  EXPECT_EQ(read.pixels[0], 65504.0f);
+  EXPECT_EQ(read.pixels[1], 65504.0f);
+  EXPECT_EQ(read.pixels[2], -65504.0f);
+  EXPECT_NEAR(read.pixels[3], 0.1f, 0.1f * 4.9e-4f);
+  EXPECT_EQ(read.pixels[4], 1.0f);
+  EXPECT_EQ(read.pixels[5], 65504.0f);
+}
+
+TEST_F(Exr, TheSamePictureGivesTheSameBytes) {
+  const std::vector<float> pixels(30, 0.25f);
+  saved(pixels, 5);
+  const std::string first = readText(folder / "a.exr");
+  saved(pixels, 5);
+  EXPECT_EQ(readText(folder / "a.exr"), first);
+}
+
+TEST_F(Exr, AnEmptyImageAndMissingPixelsAreRefused) {
+  EXPECT_EQ(faultOf([&] { stockPlugins().exportImage({}, folder / "a.exr"); }).second, ExitCode::badInput);
+  const auto [message, code] =
+      faultOf([&] { stockPlugins().exportImage({.width = 1, .height = 1}, folder / "a.exr"); });
+  EXPECT_EQ(code, ExitCode::plugin);
+  EXPECT_CONTAINS(message, "org.steradian.exr 1.0.0 failed: needs scene-linear pixels");
+}
+
+}  // namespace
+}  // namespace steradian::plugins

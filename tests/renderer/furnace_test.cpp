@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// White metal in a uniform furnace. The material is single-scatter GGX, without multi-scatter compensation,
+// so a rough ball is darker than its surroundings by exactly the directional albedo, which is integrated here
+// on its own: Walter et al. 2007 in tan^2 form over half vectors, double precision, no code shared with the
+// shaders.
+#include <array>
+
+#include "tests/renderer/renderer_fixture.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace steradian {
+namespace {
+
+using namespace scenes;
+
+double lambda(double cosine, double alpha) {
+  const double tan2 = (1.0 - cosine * cosine) / (cosine * cosine);
+  return 0.5 * (std::sqrt(1.0 + alpha * alpha * tan2) - 1.0);
+}
+
+/// Directional albedo with F = 1: integral over h of G2 D 4 (v.h) / (4 n.v n.l) n.l, where D dh is drawn by
+/// its own inverse, tan^2 = alpha^2 u / (1 - u), so that the integrand left over is smooth.
+double albedo(double mu, double alpha) {
+  const int steps = 400, turns = 128;
+  const dvec3 v(std::sqrt(1.0 - mu * mu), 0.0, mu);
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double u = (i + 0.5) / steps, tan2 = alpha * alpha * u / (1.0 - u);
+    const double cosine = 1.0 / std::sqrt(1.0 + tan2), sine = std::sqrt(1.0 - cosine * cosine);
+    for (int j = 0; j < turns; ++j) {
+      const double phi = pi * (j + 0.5) / turns;  // the other half is its mirror image
+      const dvec3 h(sine * std::cos(phi), sine * std::sin(phi), cosine);
+      const double vh = glm::dot(v, h), nl = 2.0 * vh * h.z - mu;
+      if (vh <= 0.0 || nl <= 0.0) continue;
+      sum += vh / (mu * cosine) / (1.0 + lambda(mu, alpha) + lambda(nl, alpha));
+    }
+  }
+  return sum / (double(steps) * turns);
+}
+
+/// albedo() over mu in [0.05, 1], interpolated.
+class AlbedoTable {
+ public:
+  explicit AlbedoTable(double alpha) {
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = albedo(muOf(i), alpha);
+  }
+  double at(double mu) const {
+    const double x = (mu - 0.05) / 0.95 * double(values_.size() - 1);
+    const std::size_t i = std::min(std::size_t(x), values_.size() - 2);
+    return values_[i] + (x - double(i)) * (values_[i + 1] - values_[i]);
+  }
+
+ private:
+  double muOf(std::size_t i) const { return 0.05 + 0.95 * double(i) / double(values_.size() - 1); }
+  std::array<double, 48> values_;
+};
+
+constexpr int size = 32;
+constexpr double halfWidth = 0.75, distance = 1e3;  // of the film around the ball of radius 1, which fills it
+
+/// Mean of the table over one pixel of the almost parallel view.
+double expectedAt(const AlbedoTable& table, int x, int y) {
+  double sum = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    const double px = ((x + (i % 4 + 0.5) / 4) / size * 2 - 1) * halfWidth;
+    const double py = ((y + (i / 4 + 0.5) / 4) / size * 2 - 1) * halfWidth;
+    sum += table.at(std::sqrt(std::max(1.0 - px * px - py * py, 0.0025)));
+  }
+  return sum / 16.0;
+}
+
+class FurnaceTest : public RendererTest {
+ protected:
+  Image ball(const Material& material, int bounces, int samples) {
+    Scene scene = plainScene(bounces);
+    add(scene, at({0, 0, 0}), Sphere{1.0}, material);
+    add(scene, at({0, 0, 0}), Sphere{4.0 * distance}, emitter(1.0f));
+    return render(scene, lookAt({0, 0, distance}, {0, 0, 0}, 2.0 * std::atan(halfWidth / distance)),
+                  {size, size}, samples);
+  }
+};
+
+TEST(FurnaceReference, ReproducesTheClosedFormOfFullRoughness) {
+  EXPECT_NEAR(albedo(1.0, 1.0), 1.0 - std::log(2.0), 1e-4);
+  EXPECT_NEAR(albedo(1.0, 0.25), 0.915812, 1e-4);
+}
+
+TEST_F(FurnaceTest, Row23WhiteMetalReflectsItsSingleScatterAlbedo) {
+  for (const float roughness : {0.1f, 0.3f, 0.5f, 0.7f, 1.0f}) {
+    SCOPED_TRACE(roughness);
+    const AlbedoTable table(double(roughness) * roughness);
+    const Image image = ball(metal(roughness), 1, 256);
+    std::vector<double> ratio, facing, grazing;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const double value = *image.at(x, y) / expectedAt(table, x, y);
+        ratio.push_back(value);
+        (std::hypot(x - 15.5, y - 15.5) < 10.0 ? facing : grazing).push_back(value);
+      }
+    for (const auto* part : {&ratio, &facing, &grazing}) {
+      const Mean mean = meanOf(*part);
+      EXPECT_NEAR(mean.value, 1.0, 0.005);
+      EXPECT_LT(mean.sigma, 0.002);
+    }
+  }
+}
+
+TEST_F(FurnaceTest, Row23NothingReflectsMoreThanItReceives) {
+  for (const float roughness : {0.0f, 0.02f, 0.2f, 0.6f, 1.0f})
+    for (const Material& material : {metal(roughness), plastic(roughness, glm::vec3(1.0f))}) {
+      SCOPED_TRACE(testing::Message() << "roughness " << roughness << ", metallic " << material.metallic);
+      const Mean mean = meanOf(ball(material, 2, 128));
+      EXPECT_LT(mean.value, 1.0005 + 3.0 * mean.sigma);
+      EXPECT_GT(mean.value, 0.25);
+    }
+}
+
+TEST_F(FurnaceTest, Row23WhiteMirrorAndWhiteMattBallsVanish) {
+  for (const Material& material : {metal(0.0f), lambert(glm::vec3(1.0f))}) {
+    const Image image = ball(material, 1, 16);
+    for (const float value : image.pixels) ASSERT_NEAR(value, 1.0f, 1e-5f);
+  }
+}
+
+}  // namespace
+}  // namespace steradian

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Far from the origin, and small beside large: what float alone cannot hold.
+#include "tests/renderer/renderer_fixture.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace steradian {
+namespace {
+
+using namespace scenes;
+
+class ScaleTest : public RendererTest {};
+
+/// Every shape kind and light kind in front of the camera.
+Scene gallery() {
+  Scene scene = room(4);
+  const Id m = add(scene, plastic(0.3f, {0.4f, 0.7f, 0.5f}));
+  add(scene, at({-2.2, 0.4, 0.5}, {0, 1, 0}, 0.4), Box{{0.8, 0.8, 0.8}}, m);
+  add(scene, at({2.2, 0.5, 0.8}, {1, 0, 1}, 0.5), Cylinder{0.3, 0.7}, m);
+  add(scene, at({0.6, 0.3, 1.4}, {1, 2, 0}, 0.7, {0.4, 0.2, 0.3}), Sphere{1.0}, m);
+  add(scene, at({-0.9, 1.2, 0.9}, {1, 0, 0}, 1.2), Rect{{0.6, 0.4}}, m);
+  add(scene, at({0.9, 2.2, 0.5}, {1, 0, 0.3}, 1.0), Disk{0.3}, m);
+  addLight(scene, {{-2, 3, 3}, facing({1, -1.5, -2}), dvec3(1.0)}, SpotLight{0.2f, 0.5f}, 10.0f);
+  addLight(scene, {{0, 0, 0}, facing({0.2, -1, -0.3}), dvec3(1.0)}, DirectionalLight{}, 1.0f);
+  return scene;
+}
+
+TEST_F(ScaleTest, Row14SceneAndCameraMovedFarAwayGiveTheSameImage) {
+  const Image here = render(gallery(), roomView(), {48, 48}, 16);
+  EXPECT_GT(meanOf(here).value, 0.05);
+  for (const dvec3& offset : {dvec3(1e5, 0, -1e5), dvec3(-1e6, 1e6, 1e6)}) {
+    Scene scene = gallery();
+    CameraView view = roomView();
+    translate(scene, view, offset);
+    EXPECT_LT(mrse(render(scene, view, {48, 48}, 16), here), 1e-4) << offset.x;
+  }
+}
+
+/// Sky share that a sphere of radius r, resting on the ground, leaves to the point x radii from its contact.
+double openSky(double x) {
+  return 1.0 - std::pow(1.0 + x * x, -1.5);
+}
+
+TEST_F(ScaleTest, Row15MillimetreSphereShadesAPlanetSizedGround) {
+  const double r = 1e-3, planet = 1e6;
+  Scene scene = plainScene(1);
+  add(scene, at({0, -planet, 0}), Sphere{planet}, lambert(glm::vec3(1.0f)));
+  add(scene, at({0, r, 0}), Sphere{r}, lambert(glm::vec3(0.0f)));
+  add(scene, at({0, -planet, 0}), Sphere{4.0 * planet}, emitter(1.0f));
+  for (const double x : {0.5, 1.0, 2.0, 4.0}) {
+    SCOPED_TRACE(x);
+    const dvec3 point(0, 0, x * r);
+    const CameraView view = lookAt(point + dvec3(0, 10 * r, 17 * r), point, 0.002);
+    const Mean seen = meanOf(render(scene, view, {16, 16}, 512));
+    EXPECT_NEAR(seen.value, openSky(x), 0.02 * openSky(x) + 3.0 * seen.sigma);
+  }
+}
+
+TEST_F(ScaleTest, CameraAMillionMetresOutSeesTheSmallThingBeforeIt) {
+  const dvec3 far(1e6, 0, 1e6);
+  Scene scene = plainScene(0);
+  const Id ball = add(scene, at(far + dvec3(0, 0, -0.05)), Sphere{0.01}, emitter(2.0f));
+  const CameraView view = lookAt(far, far + dvec3(0, 0, -1), 2.0 * std::atan(0.02 / 0.05));
+  const Image image = render(scene, view, {32, 32}, 64);
+  // The silhouette's half angle is asin(1/5); its disc on the film plane at distance 0.05 has radius 0.05
+  // tan.
+  const double radius = 0.05 * std::tan(std::asin(0.2)), share = pi * radius * radius / (0.04 * 0.04);
+  EXPECT_NEAR(meanOf(image).value, 2.0 * share, 2e-3);
+  const auto picked = renderer().pick(16, 16);
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->object, ball);
+  EXPECT_NEAR(picked->position.z, 1e6 - 0.04, 1e-4);
+}
+
+}  // namespace
+}  // namespace steradian

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A pipeline that models only what a scene needs must give the picture of the one that models everything.
+#include <set>
+
+#include "tests/renderer/renderer_fixture.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace steradian {
+namespace {
+
+using namespace scenes;
+
+Scene ballsUnderALamp() {
+  Scene scene = plainScene(3);
+  add(scene, at({0, 0, 0}), Sphere{1.0}, lambert({0.8f, 0.2f, 0.1f}));
+  add(scene, at({1.5, 0.2, 0.5}), Sphere{0.6}, lambert({0.1f, 0.2f, 0.9f}));
+  addLight(scene, at({2, 4, 3}), PointLight{}, 30.0f);
+  return scene;
+}
+
+Scene planesUnderASpot() {
+  Scene scene = plainScene(3);
+  add(scene, at({0, -1, 0}), Plane{}, plastic(0.4f, glm::vec3(0.6f)));
+  add(scene, at({0, 0, -3}, {1, 0, 0}, pi / 2), Plane{}, plastic(0.8f, {0.7f, 0.4f, 0.2f}));
+  addLight(scene, {{0, 3, 2}, facing({0, -1, -0.8}), dvec3(1.0)}, SpotLight{0.2f, 0.7f}, 40.0f);
+  return scene;
+}
+
+Scene planetInTheSun() {
+  Scene scene = plainScene(2);
+  add(scene, at({0, -6e6 - 1.0, 0}), Sphere{6e6}, lambert(glm::vec3(0.5f)));
+  add(scene, at({0, 0, 0}), Sphere{1.0}, metal(0.3f, {0.9f, 0.7f, 0.5f}));
+  addLight(scene, {{0, 0, 0}, facing({1, -2, -1}), dvec3(1.0)}, DirectionalLight{}, 3.0f);
+  return scene;
+}
+
+Scene boxesAndGlowingRect() {
+  Scene scene = plainScene(4);
+  add(scene, at({0, -1, 0}), Box{{6, 0.2, 6}}, lambert(glm::vec3(0.7f)));
+  add(scene, at({-0.5, 0, 0}, {0, 1, 0}, 0.5), Box{{1, 2, 1}}, lambert({0.3f, 0.7f, 0.3f}));
+  add(scene, at({0, 3, 0}), Rect{{3, 3}}, emitter(4.0f));
+  return scene;
+}
+
+Scene turnedAndStretched() {
+  Scene scene = plainScene(3);
+  add(scene, at({0, -0.5, 0}, {1, 0, 0}, 0.3), Disk{3.0}, plastic(0.3f, glm::vec3(0.6f)));
+  add(scene, at({-1, 0.3, 0}, {1, 0, 1}, 0.6), Cylinder{0.5, 1.2}, plastic(0.5f, {0.8f, 0.3f, 0.3f}));
+  add(scene, at({1, 0.4, 0}, {0, 1, 1}, 0.8, {0.9, 0.4, 0.6}), Sphere{1.0}, metal(0.4f, {0.9f, 0.9f, 0.5f}));
+  addLight(scene, at({1, 4, 2}), PointLight{}, 20.0f);
+  addLight(scene, {{0, 0, 0}, facing({-1, -2, -1}), dvec3(1.0)}, DirectionalLight{}, 1.0f);
+  return scene;
+}
+
+Scene allMirrors() {
+  Scene scene = plainScene(6);
+  add(scene, at({-0.8, 0, 0}), Sphere{0.8}, metal(0.0f, {0.9f, 0.6f, 0.4f}));
+  add(scene, at({0.9, 0, 0.3}), Sphere{0.7}, metal(0.0f, {0.5f, 0.7f, 0.9f}));
+  add(scene, at({0, 0, 0}), Sphere{30.0}, emitter(1.0f));
+  return scene;
+}
+
+Scene polishedFloor() {  // a mirror lobe over a diffuse one
+  Scene scene = plainScene(4);
+  add(scene, at({0, -1, 0}), Plane{}, plastic(0.0f, {0.4f, 0.5f, 0.3f}));
+  add(scene, at({0, 0, 0}), Sphere{1.0}, emitter(2.0f, glm::vec3(0.3f)));
+  addLight(scene, at({3, 3, 3}), PointLight{}, 10.0f);
+  scene.render.filter = PixelFilter::blackmanHarris;
+  scene.render.russianRoulette = true;
+  return scene;
+}
+
+Scene crowd() {  // more than can be baked into a pipeline
+  Scene scene = plainScene(2);
+  for (int i = 0; i < 12; ++i)
+    add(scene, at({-2.0 + 0.35 * i, 0.3 * (i % 3), 0.2 * (i % 5)}), Sphere{0.25},
+        lambert(glm::vec3(0.3f + 0.05f * float(i))));
+  for (int i = 0; i < 11; ++i) addLight(scene, at({double(i) - 5.0, 3.0, 2.0}), PointLight{}, 2.0f);
+  scene.render.lightSamples = 4;
+  return scene;
+}
+
+struct Case {
+  const char* name;
+  Scene scene;
+};
+
+std::vector<Case> cases() {
+  return {{"balls under a lamp", ballsUnderALamp()},
+          {"planes under a spot", planesUnderASpot()},
+          {"planet in the sun", planetInTheSun()},
+          {"boxes and a glowing rect", boxesAndGlowingRect()},
+          {"turned and stretched", turnedAndStretched()},
+          {"all mirrors", allMirrors()},
+          {"polished floor", polishedFloor()},
+          {"crowd", crowd()},
+          {"furnished room", room(4)}};
+}
+
+class VariantsTest : public RendererTest {
+ protected:
+  void expectSame(const Image& special, const Image& generic) {
+    if (onCpu()) {
+      EXPECT_TRUE(special == generic) << "MRSE " << mrse(special, generic);
+    } else {
+      EXPECT_LE(mrse(special, generic), 1e-6);
+    }
+  }
+};
+
+TEST_F(VariantsTest, Row41SpecialPipelinesGiveThePictureOfTheGenericOne) {
+  std::set<std::string> used, leftOut;
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    const CameraView view = lookAt({0, 0.8, 5}, {0, 0.2, 0}, 0.9);
+    renderer().allowSpecialization(false);
+    const Image generic = render(c.scene, view, {32, 32}, 16);
+    EXPECT_FALSE(renderer().stats().variant.specialized);
+    EXPECT_GT(meanOf(generic).value, 0.01);
+    renderer().allowSpecialization(true);
+    renderer().waitForSpecialization();
+    const Image special = render(c.scene, view, {32, 32}, 16);
+    const VariantInfo& variant = renderer().stats().variant;
+    EXPECT_TRUE(variant.specialized);
+    expectSame(special, generic);
+    used.insert(variant.features.begin(), variant.features.end());
+    leftOut.insert(variant.leftOut.begin(), variant.leftOut.end());
+  }
+  // Each feature was compiled in once and left out once.
+  for (const std::string& feature : leftOut) EXPECT_TRUE(used.count(feature)) << feature;
+  EXPECT_EQ(leftOut.size(), 16u);
+}
+
+TEST_F(VariantsTest, ChangeOfTheSceneFallsBackToAPipelineThatCoversIt) {
+  Scene scene = ballsUnderALamp();
+  const CameraView view = lookAt({0, 0.8, 5}, {0, 0.2, 0}, 0.9);
+  renderer().allowSpecialization(true);
+  renderer().setScene(scene, view, {32, 32});
+  renderer().waitForSpecialization();
+  render(scene, view, {32, 32}, 4);
+  add(scene, at({0, 1.5, 0}), Box{{0.5, 0.5, 0.5}}, metal(0.0f));
+  const Image edited = render(scene, view, {32, 32}, 4);  // expects that no sample met a missing feature
+  renderer().allowSpecialization(false);
+  expectSame(edited, render(scene, view, {32, 32}, 4));
+}
+
+}  // namespace
+}  // namespace steradian

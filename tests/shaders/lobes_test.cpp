@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Sampling agrees with evaluation: histograms, weights, densities that integrate to one, combination of
+// strategies.
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include "shaders/kernel_bsdf.comp.h"
+#include "shaders/kernel_sampling.comp.h"
+#include "tests/shaders/bsdf_rows.hpp"
+
+namespace steradian::kernel {
+namespace {
+
+const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
+const Kernel sampling{kernel_sampling_spirv, "sampling"};
+constexpr std::size_t samples = 1000000;
+
+class Lobes : public KernelTest {};
+
+using Density = std::function<oracle::Real(oracle::Vec)>;  // per steradian, upper hemisphere
+
+/// p-value of the hypothesis that `drawn` (one per `stride` rows) has this density; what lies below the
+/// horizon falls into one bin. 101 x 202 bins, those that expect fewer than 5 pooled.
+double chiSquare(const Rows& drawn, std::size_t stride, const Density& density) {
+  constexpr int rings = 101, sectors = 202;
+  std::vector<double> seen(rings * sectors + 1, 0.0), expected(rings * sectors + 1, 0.0);
+  const std::size_t count = drawn.size() / stride;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec4 d = drawn[i * stride];
+    const double turn = std::atan2(double(d.y), double(d.x)) / (2 * M_PI);
+    const int ring = std::min(rings - 1, int(double(d.z) * rings));
+    const int sector = std::min(sectors - 1, int((turn < 0 ? turn + 1 : turn) * sectors));
+    seen[d.z > 0 ? std::size_t(ring * sectors + sector) : rings * sectors] += 1;
+  }
+  const oracle::Gauss<8> gauss = oracle::gauss8();
+  double above = 0;
+  for (int bin = 0; bin < rings * sectors; ++bin) {
+    double share = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t k = 0; k < 8; ++k) {
+        const double cosine = (bin / sectors + gauss.x[i]) / rings;
+        const double turn = 2 * M_PI * (bin % sectors + gauss.x[k]) / sectors;
+        share += gauss.w[i] * gauss.w[k] * double(density(oracle::Vec(direction(cosine, turn))));
+      }
+    expected[std::size_t(bin)] = share * 2 * M_PI / (rings * sectors) * double(count);
+    above += expected[std::size_t(bin)];
+  }
+  expected.back() = std::max(0.0, double(count) - above);
+  double statistic = 0, pooledSeen = 0, pooledExpected = 0;
+  int bins = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (expected[i] < 5) {
+      pooledSeen += seen[i], pooledExpected += expected[i];
+      continue;
+    }
+    statistic += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
+    ++bins;
+  }
+  if (pooledExpected >= 5) {
+    statistic += (pooledSeen - pooledExpected) * (pooledSeen - pooledExpected) / pooledExpected;
+    ++bins;
+  }
+  return oracle::chiSquareP(statistic, bins - 1);
+}
+
+constexpr double significance = 0.001;  // 0.01 over ten tests (Sidak)
+
+TEST_F(Lobes, row24_cosine_hemisphere_has_its_density) {
+  const Rows drawn = run(sampling, {.operation = 1, .rowsIn = 0, .invocations = samples}, {});
+  EXPECT_GT(chiSquare(drawn, 1, [](oracle::Vec w) { return w.z / M_PI; }), significance);
+  EXPECT_LT(chiSquare(drawn, 1, [](oracle::Vec) { return 0.5 / M_PI; }), significance)
+      << "the test must bite";
+}
+
+TEST_F(Lobes, row24_visible_normals_have_their_density) {
+  const double table[][2] = {{0.9, 0.1}, {0.3, 0.5}, {0.05, 1.0}, {1.0, 0.25}};
+  for (const auto& [mu, alpha] : table) {
+    const glm::vec4 question(glm::vec3(direction(mu, 0.7)), alpha);
+    const Rows drawn = run(sampling, {.operation = 2, .rowsIn = 0, .invocations = samples}, {question});
+    const oracle::Vec wo(xyz(question));
+    const oracle::Real a = question.w;
+    EXPECT_GT(chiSquare(drawn, 1, [&](oracle::Vec m) { return oracle::visiblePdf(wo, m, a); }), significance)
+        << "cosine " << mu << ", alpha " << alpha;
+  }
+}
+
+struct Mixture {
+  const char* name;
+  Material material;
+  double mu;
+  float chance;
+};
+
+const Mixture mixtures[] = {
+    {"glossy plastic", gltf({0.8f, 0.4f, 0.2f}, 0.0f, 0.3f), 0.6, 0.4f},
+    {"rough plastic, grazing", gltf({0.5f, 0.5f, 0.5f}, 0.0f, 0.8f), 0.15, 0.3f},
+    {"metal", lobes(gltf({1.0f, 0.8f, 0.3f}, 1.0f, 0.15f), glossyBit), 0.5, 1.0f},
+    {"roughest metal", lobes(gltf({1.0f, 1.0f, 1.0f}, 1.0f, 1.0f), glossyBit), 0.999, 1.0f},
+    {"chalk", lobes(gltf({0.9f, 0.9f, 0.9f}, 0.0f, 1.0f, 0.0f), diffuseBit), 0.4, 0.0f}};
+
+oracle::Real mixturePdf(const Mixture& mix, oracle::Vec wo, oracle::Vec wi) {
+  const oracle::Real glossy =
+      mix.chance > 0 ? mix.chance * oracle::reflectedPdf(wo, wi, mix.material.alpha) : 0;
+  return (1 - mix.chance) * wi.z / oracle::Real(M_PIl) + glossy;
+}
+
+/// f cos of one channel, from the glTF formulas.
+oracle::Real mixtureValue(const Material& m, oracle::Vec wo, oracle::Vec wi, int channel) {
+  const oracle::Vec h = glm::normalize(wo + wi);
+  const oracle::Real cosine = glm::dot(wo, h), a = m.alpha;
+  oracle::Real f = 0;
+  if (int(m.lobes) & 1)
+    f += m.diffuse[channel] * (1 - oracle::schlick(m.dielectricF0, m.dielectricF90, cosine)) * wi.z / M_PIl;
+  if (int(m.lobes) & 2)
+    f += oracle::schlick(m.f0[channel], m.f90, cosine) * oracle::ggxD(h, a) * oracle::g2(wo, wi, a) /
+         (4 * wo.z);
+  return f;
+}
+
+Rows drawMixture(const Mixture& mix,
+                 const std::function<Rows(const Kernel&, const Task&, const Rows&)>& run) {
+  Rows question;
+  pushBsdf(question, mix.material, glm::vec3(direction(mix.mu, 0.7)), {}, mix.chance);
+  return run(bsdf, {.operation = 2, .rowsIn = 0, .rowsOut = 3, .invocations = samples}, question);
+}
+
+TEST_F(Lobes, row24_mixtures_are_sampled_with_the_density_they_state) {
+  for (const Mixture& mix : mixtures) {
+    const Rows drawn =
+        drawMixture(mix, [](const Kernel& k, const Task& t, const Rows& r) { return run(k, t, r); });
+    const oracle::Vec wo{glm::dvec3(glm::vec3(direction(mix.mu, 0.7)))};
+    EXPECT_GT(chiSquare(drawn, 3, [&](oracle::Vec wi) { return mixturePdf(mix, wo, wi); }), significance)
+        << mix.name;
+  }
+}
+
+TEST_F(Lobes, row25_weights_and_densities_agree_with_long_double) {
+  for (const Mixture& mix : mixtures) {
+    const Rows drawn =
+        drawMixture(mix, [](const Kernel& k, const Task& t, const Rows& r) { return run(k, t, r); });
+    const oracle::Vec wo{glm::dvec3(glm::vec3(direction(mix.mu, 0.7)))};
+    double worstPdf = 0, worstWeight = 0, below = 0;
+    for (std::size_t i = 0; i < drawn.size(); i += 3) {
+      const oracle::Vec wi(xyz(drawn[i]));
+      if (wi.z <= 0) {
+        below += 1;
+        ASSERT_EQ(drawn[i + 1].x + drawn[i + 1].y + drawn[i + 1].z + drawn[i + 2].w, 0.0f) << mix.name;
+        continue;
+      }
+      if (i % 90 != 0 || wi.z < 1e-4L)
+        continue;  // long double is slow, and the float cosine itself has fewer digits than the gate
+      const oracle::Real pdf = mixturePdf(mix, wo, wi);
+      worstPdf = std::max(worstPdf, std::fabs(double(drawn[i + 2].w / pdf - 1)));
+      for (int c = 0; c < 3; ++c)
+        worstWeight =
+            std::max(worstWeight,
+                     std::fabs(double(drawn[i + 1][c] * pdf / mixtureValue(mix.material, wo, wi, c) - 1)));
+    }
+    EXPECT_LE(worstPdf, 1e-4) << mix.name;
+    EXPECT_LE(worstWeight, 1e-4) << mix.name;
+    if (mix.material.alpha == 1.0f && mix.chance == 1.0f) EXPECT_NEAR(below / samples, 0.5, 5e-3) << mix.name;
+    if (mix.chance == 0.0f) EXPECT_EQ(below, 0.0) << mix.name;
+  }
+}
+
+TEST_F(Lobes, row25_densities_integrate_to_one_minus_what_is_rejected) {
+  for (const float alpha : {0.1f, 0.3f, 0.6f, 1.0f})
+    for (const double mu : {0.1, 0.5, 1.0}) {
+      const std::vector<Facet> nodes = facets(double(alpha), 256, 128);
+      const glm::dvec3 wo = direction(mu, 0.0);
+      Rows rows;
+      double rejected = 0;
+      for (const Facet& node : nodes) {
+        rows.insert(rows.end(),
+                    {glm::vec4(glm::vec3(wo), alpha), glm::vec4(glm::vec3(reflected(wo, node.m)), 0)});
+        if (reflected(wo, node.m).z <= 0)
+          rejected += double(oracle::visiblePdf(wo, node.m, alpha)) * node.solidAngle;
+      }
+      const Rows answers = run(bsdf, {.operation = 3, .rowsIn = 2}, rows);
+      double sum = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        sum += double(answers[i].w) * 4.0 * std::max(0.0, dot(wo, nodes[i].m)) * nodes[i].solidAngle;
+      EXPECT_NEAR(sum, 1.0 - rejected, 1e-3) << "alpha " << alpha << ", cosine " << mu;
+    }
+}
+
+TEST_F(Lobes, row22_the_mean_weight_of_white_facets_is_their_albedo) {
+  Mixture mix{"white", {}, 1.0, 1.0f};
+  mix.material.alpha = 1.0f;
+  const Rows drawn =
+      drawMixture(mix, [](const Kernel& k, const Task& t, const Rows& r) { return run(k, t, r); });
+  double sum = 0, squares = 0;
+  for (std::size_t i = 1; i < drawn.size(); i += 3)
+    sum += double(drawn[i].x), squares += std::pow(double(drawn[i].x), 2);
+  const double mean = sum / samples, sigma = std::sqrt((squares / samples - mean * mean) / samples);
+  EXPECT_NEAR(mean, 1.0 - std::log(2.0), 3 * sigma);
+}
+
+TEST_F(Lobes, a_mirror_reflects_and_weighs_by_fresnel) {
+  Material mirror = gltf({0.9f, 0.6f, 0.3f}, 1.0f, 0.0f);
+  mirror.lobes = mirrorBit + glossyBit;
+  Rows rows;
+  pushBsdf(rows, mirror, glm::vec3(direction(0.5, 1.0)), {0.3f, 0.7f, 0}, 1.0f);
+  const Rows answers = run(bsdf, {.operation = 1, .rowsIn = 5, .rowsOut = 3}, rows);
+  const glm::dvec3 wo = xyz(rows[0]);
+  EXPECT_LT(length(xyz(answers[0]) - glm::dvec3(-wo.x, -wo.y, wo.z)), 1e-6);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(answers[1][c], oracle::schlick(mirror.f0[c], 1, 0.5L), 1e-6);
+  EXPECT_EQ(answers[2], glm::vec4(0)) << "a mirror has no density for other strategies";
+}
+
+TEST_F(Lobes, row31_two_strategies_share_each_sample_fully) {
+  const float inf = INFINITY;
+  Rows rows = {{inf, 1, 0, 0}, {1, inf, 0, 0},     {0, 1, 0, 0},
+               {inf, 0, 0, 0}, {2e19, 1e19, 0, 0}, {1e-30, 1e30, 0, 0}};
+  Random random(31);
+  for (int i = 0; i < 100000; ++i) rows.emplace_back(random.decades(-30, 30), random.decades(-30, 30), 0, 0);
+  const Rows answers = run(sampling, {.operation = 0}, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_NEAR(answers[i].x + answers[i].y, 1.0f, 1e-6) << rows[i].x << " and " << rows[i].y;
+    ASSERT_GE(answers[i].x, 0.0f);
+  }
+  EXPECT_EQ(answers[0].x, 1.0f);
+  EXPECT_EQ(answers[2].x, 0.0f);
+  EXPECT_NEAR(answers[4].x, 0.8f, 1e-6);
+}
+
+TEST_F(Lobes, the_chance_of_the_specular_lobe_never_starves_a_lobe) {
+  Random random(251);
+  Rows rows;
+  pushBsdf(rows, gltf(glm::vec3(0.0f), 1.0f, 0.5f), {0, 0, 1}, {0, 0, 1}, 0);  // no diffuse
+  Material chalk = gltf(glm::vec3(0.5f), 0.0f, 0.5f, 0.0f);
+  chalk.f90 = 0.0f, chalk.dielectricF90 = 0.0f;
+  pushBsdf(rows, chalk, {0, 0, 1}, {0, 0, 1}, 0);
+  for (int i = 0; i < 1000; ++i)
+    pushBsdf(rows, gltf(glm::vec3(random.uniform(0.01, 1)), float(random.uniform(0, 0.99)), 0.5f),
+             glm::vec3(direction(random.uniform(), 0)), {0, 0, 1}, 0);
+  const Rows answers = run(bsdf, {.operation = 6, .rowsIn = 5}, rows);
+  EXPECT_EQ(answers[0].x, 1.0f);
+  EXPECT_EQ(answers[1].x, 0.0f);
+  for (std::size_t i = 2; i < answers.size(); ++i)
+    ASSERT_TRUE(answers[i].x >= 0.1f && answers[i].x <= 0.9f) << i;
+}
+
+}  // namespace
+}  // namespace steradian::kernel
