@@ -76,6 +76,11 @@ void Window::installCallbacks() {
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
     for (int i = 0; i < count; ++i) windowOf(handle).dropped_.emplace_back(paths[i]);
   });
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+    if (action == GLFW_PRESS)
+      windowOf(handle).keys_.push_back(
+          {key, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0});
+  });
   glfwSetWindowFocusCallback(
       window_, [](GLFWwindow* handle, int focused) { windowOf(handle).focused_ = focused == GLFW_TRUE; });
 }
@@ -116,6 +121,10 @@ bool Window::takeCloseRequest() {
 
 std::vector<std::filesystem::path> Window::takeDropped() {
   return std::exchange(dropped_, {});
+}
+
+std::vector<KeyPress> Window::takeKeyPresses() {
+  return std::exchange(keys_, {});
 }
 
 std::vector<const char*> Window::vulkanExtensions() const {

@@ -18,6 +18,12 @@ struct UiScale {
   bool operator==(const UiScale&) const = default;
 };
 
+/// A key that went down; as an event, because a quick tap may begin and end between two frames.
+struct KeyPress {
+  int key = 0;  // GLFW's key code: a position on the American keyboard
+  bool control = false, shift = false, alt = false;
+};
+
 /// One window with no graphics API of its own. Main thread only.
 class Window {
  public:
@@ -40,6 +46,9 @@ class Window {
   /// Files dropped since the last call.
   std::vector<std::filesystem::path> takeDropped();
 
+  /// Keys pressed since the last call; repeats of held keys are left out.
+  std::vector<KeyPress> takeKeyPresses();
+
   std::vector<const char*> vulkanExtensions() const;
   GLFWwindow* handle() const { return window_; }
 
@@ -49,6 +58,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
   std::string title_;
   std::vector<std::filesystem::path> dropped_;
+  std::vector<KeyPress> keys_;
   bool closeRequested_ = false;
   bool focused_ = true;
 };

@@ -25,15 +25,18 @@ std::vector<glm::vec4> cameraRows(const CameraView& view) {
           glm::vec4(glm::vec3(-m[2]), 0.0f)};
 }
 
-const std::vector<glm::vec4>& filterRows() {
-  static const std::vector<glm::vec4> rows = [] {
-    const std::vector<double> table = blackmanHarrisInverseCdf(FILTER_ROWS);
-    std::vector<glm::vec4> made;
-    for (std::uint32_t i = 0; i < FILTER_ROWS; ++i)
-      made.emplace_back(float(table[i]), float(table[i + 1] - table[i]), 0.0f, 0.0f);
-    return made;
-  }();
-  return rows;
+std::vector<glm::vec4> tabulated(const std::vector<double>& table) {
+  std::vector<glm::vec4> made;
+  for (std::uint32_t i = 0; i < FILTER_ROWS; ++i)
+    made.emplace_back(float(table[i]), float(table[i + 1] - table[i]), 0.0f, 0.0f);
+  return made;
+}
+
+// The generic variant always reads the table, so it must hold the box too.
+const std::vector<glm::vec4>& filterRows(PixelFilter filter) {
+  static const std::vector<glm::vec4> box = tabulated(boxInverseCdf(FILTER_ROWS));
+  static const std::vector<glm::vec4> blackmanHarris = tabulated(blackmanHarrisInverseCdf(FILTER_ROWS));
+  return filter == PixelFilter::box ? box : blackmanHarris;
 }
 
 std::uint32_t featuresOf(const Material& m) {
@@ -149,7 +152,8 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
   out.params.height = std::uint32_t(film.height);
   out.params.pixelScale = float(2.0 * std::tan(0.5 * view.fovY) / film.height);
   out.rows = cameraRows(view);
-  out.rows.insert(out.rows.end(), filterRows().begin(), filterRows().end());
+  const std::vector<glm::vec4>& filter = filterRows(scene.render.filter);
+  out.rows.insert(out.rows.end(), filter.begin(), filter.end());
 
   const std::vector<Placed> objects = visibleObjects(scene);
   const double largeRadius = largeRadiusOf(objects);

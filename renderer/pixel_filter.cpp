@@ -27,6 +27,12 @@ double invert(double target) {
 
 }  // namespace
 
+std::vector<double> boxInverseCdf(int n) {
+  std::vector<double> table(n + 1);
+  for (int i = 0; i <= n; ++i) table[i] = double(i) / n - 0.5;
+  return table;
+}
+
 std::vector<double> blackmanHarrisInverseCdf(int n) {
   std::vector<double> table(n + 1);
   for (int i = 0; i <= n; ++i) table[i] = 4.0 * invert(double(i) / n) - 2.0;

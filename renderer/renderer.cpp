@@ -123,7 +123,8 @@ const ResolvedPicture& Renderer::Impl::resolveNow() {
   picture.prepare(*device, film);
   device->run(QueueKind::compute, [&](const auto& cmd) {
     computeToCompute(cmd);
-    fragmentToCompute(cmd);
+    // With queues of two families the hand-over already ordered the last reading.
+    if (!device->separateCompute()) fragmentToCompute(cmd);
     picture.record(cmd, resolve, metered());
   });
   return picture;

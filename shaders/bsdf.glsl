@@ -80,7 +80,7 @@ vec3 diffuseReflectance(Lobes lobes, float cosH) {
 BsdfValue evalBsdf(Lobes lobes, vec3 wo, vec3 wi, float chance, bool diffuseOn, bool glossyOn) {
   vec3 h = wo + wi;
   float length2 = dot(h, h);
-  float cosH = 0.5 * sqrt(length2);  // wo.h = (1 + wo.wi) / |wo + wi|
+  float cosH = min(0.5 * sqrt(length2), 1.0);  // wo.h = (1 + wo.wi) / |wo + wi|; above 1, Fresnel would turn negative
   vec3 fCos = vec3(0.0);
   float pdf = 0.0;
   if (diffuseOn) {

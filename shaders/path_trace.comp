@@ -66,7 +66,7 @@ Vertex vertexAt(Surface surface, Lobes lobes, vec3 d) {
   v.inside = dot(surface.normal, d) > 0.0;
   v.frame = frameAround(v.inside ? -surface.normal : surface.normal);
   v.wo = toLocal(v.frame, -d);
-  v.wo.z = max(v.wo.z, 1e-7);
+  v.wo.z = clamp(v.wo.z, 1e-7, 1.0);
   v.chance = kDiffuse ? (kGlossy || kMirror ? specularChance(lobes, v.wo.z) : 0.0) : 1.0;
   return v;
 }

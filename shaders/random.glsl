@@ -50,8 +50,9 @@ struct SamplePair {
 SamplePair samplePair(uint pixelSeed, uint index, uint dimension) {
   uint seed = hashCombine(pixelSeed, dimension);
   uint shuffled = bitfieldReverse(permuteReversed(bitfieldReverse(index), seed));
+  // The two scrambles take their lowest bits, which flip the halves of the square, from different bits of the seed.
   uint x = bitfieldReverse(permuteReversed(shuffled, seed * 0x9e3779b1u + 0x68bc21ebu));
-  uint y = bitfieldReverse(permuteReversed(sobolSecondReversed(shuffled), seed * 0x85ebca77u + 0x02e5be93u));
+  uint y = bitfieldReverse(permuteReversed(sobolSecondReversed(shuffled), ((seed >> 16) | (seed << 16)) * 0x85ebca77u + 0x02e5be93u));
   return SamplePair(unitFloat(x), unitFloat(y));
 }
 

@@ -13,8 +13,15 @@ namespace steradian::ui {
 namespace {
 
 constexpr double kTraceBudgetMs = 20.0;
-constexpr double kExportBudgetMs = 25.0;
-constexpr double kRestingWait = 0.05;  // seconds between frames when nothing moves
+constexpr double kExportBudgetMs = 25.0;       // while a person works
+constexpr double kIdleExportBudgetMs = 100.0;  // while nobody touches anything: frames cost the export time
+constexpr double kRestingWait = 0.05;          // seconds between frames when nothing moves
+
+bool touched() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyMouseDown() ||
+         ImGui::IsAnyItemActive();
+}
 
 }  // namespace
 
@@ -70,7 +77,7 @@ void Application::settleEdit() {
 }
 
 void Application::drawInterface(Ui& ui) {
-  shortcuts(ui);
+  shortcuts(ui, window_.takeKeyPresses());
   drawMenuBar(ui);
   layout_ = panels_.compute(ui, options_, ImGui::GetFrameHeight());
   drawViewport(ui);
@@ -171,7 +178,8 @@ void Application::advanceExport() {
   if (!job_) return;
   try {
     const JobWish wish = std::exchange(jobWish_, JobWish::goOn);
-    const bool done = wish == JobWish::goOn ? job_->advance(kExportBudgetMs) : true;
+    const bool done =
+        wish == JobWish::goOn ? job_->advance(touched() ? kExportBudgetMs : kIdleExportBudgetMs) : true;
     if (!done) return;
     if (wish == JobWish::cancel) {
       messages_.note("Export cancelled; nothing was written.");

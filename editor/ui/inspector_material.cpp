@@ -84,8 +84,8 @@ void surfaceFields(Fields& fields, Material& m) {
 }
 
 void emissionFields(Fields& fields, Material& m) {
-  fields.linearColor("Emission colour", "Multiplies the luminance. Linear Rec. 709, may exceed 1.",
-                     m.emissionColor, true);
+  fields.linearColor("Emission", "Multiplies the luminance. Linear Rec. 709, may exceed 1.", m.emissionColor,
+                     true);
   fields.number({.name = "Luminance",
                  .help = "What the surface itself sends out, on both sides. A screen has about 300, the sky "
                          "5,000, a filament 10,000,000.",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ImGui 1.86 passes raw GLFW keys on, which are positions on an American keyboard. glfwGetKeyName tells the
+// GLFW's keys are positions on an American keyboard. glfwGetKeyName tells the
 // letter of the active layout, so that Ctrl+Z is where Z is printed on AZERTY and QWERTZ too.
 #include "editor/ui/shortcuts.hpp"
 
@@ -34,31 +34,24 @@ std::string letterOf(int key) {
   return std::string(1, char(std::toupper(letter)));
 }
 
-bool keyPressed(std::string_view name) {
-  if (const auto key = namedKey(name)) return ImGui::IsKeyPressed(*key, false);
-  for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key)
-    if (ImGui::IsKeyPressed(key, false) && letterOf(key) == name) return true;
-  // On some layouts a letter lies where America has punctuation (M on AZERTY).
-  for (const int key : {GLFW_KEY_SEMICOLON, GLFW_KEY_COMMA, GLFW_KEY_APOSTROPHE})
-    if (ImGui::IsKeyPressed(key, false) && letterOf(key) == name) return true;
-  return false;
-}
-
-bool pressed(const Chord& chord) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (!chord.key || io.KeyCtrl != chord.control || io.KeyShift != chord.shift || io.KeyAlt != chord.alt)
+bool matches(const KeyPress& press, const Chord& chord) {
+  if (!chord.key || press.control != chord.control || press.shift != chord.shift || press.alt != chord.alt)
     return false;
-  return keyPressed(chord.key);
+  if (const auto key = namedKey(chord.key)) return press.key == *key;
+  const bool printable = press.key > GLFW_KEY_SPACE && press.key <= GLFW_KEY_WORLD_2;
+  return printable && letterOf(press.key) == chord.key;
 }
 
 }  // namespace
 
-void shortcuts(Ui& ui) {
+void shortcuts(Ui& ui, const std::vector<KeyPress>& presses) {
   if (ImGui::GetIO().WantTextInput) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
-  for (const CommandInfo& info : commandTable())
-    if (pressed(info.chord)) ui.ask(info.command);
-  if (pressed({"Y", true})) ui.ask(Command::redo);  // the other habit for redo
+  for (const KeyPress& press : presses) {
+    for (const CommandInfo& info : commandTable())
+      if (matches(press, info.chord)) ui.ask(info.command);
+    if (matches(press, {"Y", true})) ui.ask(Command::redo);  // the other habit for redo
+  }
 }
 
 }  // namespace steradian::ui

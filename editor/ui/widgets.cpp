@@ -14,7 +14,7 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr float kNameShare = 0.36f;  // of the row's width
+constexpr float kNameShare = 0.385f;  // of the row's width
 constexpr float kTooltipDelay = 0.45f;
 
 std::string formatOf(const NumberField& field) {

@@ -23,6 +23,7 @@ constexpr float kRec709[8] = {0.64f, 0.33f, 0.30f,   0.60f,
 OIIO::ImageSpec specOf(const sdk::ImageRecord& image, bool half) {
   OIIO::ImageSpec spec(int(image.width), int(image.height), 3,
                        half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+  spec.attribute("DateTime", "");  // else OpenImageIO writes the time of day: the same picture, other bytes
   for (std::uint64_t i = 0; i < image.metadataCount; ++i)
     spec.attribute(image.metadata[i].key.str(), image.metadata[i].value.str());
   spec.attribute("compression", "zip");

@@ -45,6 +45,12 @@ Driver::Driver(Screen& screen, const fs::path& folder, const std::vector<std::st
   await("viewport", 180s);
   window_ = xdotool("search --onlyvisible --class steradian | tail -1");
   if (window_.empty()) throw std::runtime_error("the editor's window cannot be found; is xdotool installed?");
+  // Keys go to the active window, and the window manager may still be starting
+  for (int i = 0; i < 100 && xdotool("getactivewindow 2>/dev/null") != window_; ++i) {
+    xdotool("windowactivate " + window_ + " 2>/dev/null");
+    pause(100ms);
+  }
+  pause(500ms);
 }
 
 std::string Driver::xdotool(const std::string& arguments) const {

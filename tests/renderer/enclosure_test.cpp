@@ -49,7 +49,9 @@ class EnclosureTest : public RendererTest {
     expectMean(meanOf(image), expected, 1e-4);
     double worst = 0.0;
     for (const float value : image.pixels) worst = std::max(worst, std::abs(value / expected - 1.0));
-    EXPECT_LT(worst, 3e-3);
+    // One path in a million may slip out where two shapes cross, which a pixel of few samples shows; one
+    // shape is tight.
+    EXPECT_LT(worst, kind == Room::mixed ? 1.0 / samples : 1e-4);
   }
 };
 
@@ -79,7 +81,7 @@ TEST_F(EnclosureTest, Row33PointLightInTheMiddleOfASphereLightsItEvenly) {
 TEST_F(EnclosureTest, Row33RussianRouletteKeepsTheMean) {
   Scene scene = enclosure(Room::mixed, 0.9f, 0.5f, 64);
   scene.render.russianRoulette = true;
-  const Mean mean = meanOf(render(scene, inside(), {32, 32}, 64));
+  const Mean mean = meanOf(render(scene, inside(), {32, 32}, 128));
   EXPECT_GT(mean.sigma, 0.0);  // it did end paths
   EXPECT_NEAR(mean.value, 0.5 * gathered(0.9, 64), 3.0 * mean.sigma);
   EXPECT_LT(mean.sigma, 0.003 * mean.value);

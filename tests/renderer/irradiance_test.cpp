@@ -84,6 +84,16 @@ TEST_F(IrradianceTest, NothingArrivesThroughABlockerOrFromBelow) {
   EXPECT_EQ(irradiance(scene, {0, 0, 0}, 4).value, 0.0);
 }
 
+TEST_F(IrradianceTest, DirectionalLightIsBlockedAtAnyDistance) {
+  for (const double height : {0.5, 50.0, 1e5}) {
+    Scene scene = ground(0);
+    addLight(scene, {{0, 0, 0}, facing({0, -1, 0}), dvec3(1.0)}, DirectionalLight{}, 1.0f);
+    add(scene, at({0, height, 0}), Disk{0.1}, lambert(glm::vec3(0.5f)));
+    EXPECT_EQ(irradiance(scene, {0, 0, 0}, 4).value, 0.0) << height;
+    EXPECT_NEAR(irradiance(scene, {0.5, 0, 0}, 4).value, 1.0, 1e-5) << height;
+  }
+}
+
 TEST_F(IrradianceTest, MattSphereUnderFrontalLightReflectsTwoThirds) {
   Scene scene = plainScene(0);
   add(scene, at({0, 0, 0}), Sphere{1.0}, lambert(glm::vec3(0.6f)));

@@ -71,5 +71,60 @@ TEST_F(ScaleTest, CameraAMillionMetresOutSeesTheSmallThingBeforeIt) {
   EXPECT_NEAR(picked->position.z, 1e6 - 0.04, 1e-4);
 }
 
+/// Something seen and lit along the same slanting direction, so that nothing seen lies in shadow.
+struct Headlit {
+  const char* name;
+  Shape shape;
+  double tilt;      // of its +Y from the viewer
+  double expected;  // mean radiance over a film of 0.4 x 0.4 m, for an albedo of 1 and an irradiance of pi
+};
+
+Scene headlit(const Headlit& c, const glm::dmat3& view) {
+  Scene scene = plainScene(0);
+  const dvec3 up = view[2] * std::cos(c.tilt) + view[1] * std::sin(c.tilt);
+  const glm::dquat rotation =
+      glm::normalize(glm::quat_cast(glm::dmat3(view[0], up, glm::cross(view[0], up))));
+  add(scene, {dvec3(0.0), rotation, dvec3(1.0)}, c.shape, lambert(glm::vec3(1.0f)));
+  addLight(scene, {dvec3(0.0), glm::quat_cast(view), dvec3(1.0)}, DirectionalLight{}, float(pi));
+  return scene;
+}
+
+TEST_F(ScaleTest, NoSurfaceShadowsItselfFromAnyDistance) {
+  const double film = 0.4;
+  const Headlit cases[] = {{"plane", Plane{}, 0.9, std::cos(0.9)},
+                           {"rect", Rect{{4, 4}}, 0.8, std::cos(0.8)},
+                           {"disk", Disk{3}, 0.7, std::cos(0.7)},
+                           {"box", Box{{4, 2, 4}}, 0.4, std::cos(0.4)},
+                           {"cap", Cylinder{3, 2}, 0.4, std::cos(0.4)},
+                           {"cylinder", Cylinder{0.1, 9}, pi / 2, 0.2 / film * pi / 4},
+                           {"sphere", Sphere{0.15}, 0.0, pi * 0.0225 / (film * film) * 2 / 3}};
+  const glm::dmat3 view = glm::mat3_cast(facing({1, -2, -3}));
+  for (const Headlit& c : cases)
+    for (const double distance : {100.0, 1e3, 1e4}) {
+      SCOPED_TRACE(testing::Message() << c.name << " from " << distance << " m");
+      const CameraView camera =
+          lookAt(view[2] * distance, dvec3(0.0), 2.0 * std::atan(0.5 * film / distance));
+      EXPECT_NEAR(meanOf(render(headlit(c, view), camera, {16, 16}, 64)).value, c.expected,
+                  0.003 * c.expected);
+    }
+}
+
+TEST_F(ScaleTest, MirrorShowsTheVirtualImage) {
+  const dvec3 ball(0.4, 0.9, -1.0), onMirror(0, 0, -3), normal = glm::normalize(dvec3(-0.3, 0.4, 1.0));
+  const dvec3 image = ball - 2.0 * glm::dot(ball - onMirror, normal) * normal;
+  const CameraView view = lookAt({0, 0, 0}, image, 0.4);
+  Scene real = plainScene(1);
+  add(real, at(image), Sphere{0.3}, emitter(2.0f));
+  const Image expected = render(real, view, {32, 32}, 64);
+  Scene reflected = plainScene(1);
+  add(reflected, at(ball), Sphere{0.3}, emitter(2.0f));
+  add(reflected, {onMirror, facing(normal) * glm::angleAxis(-pi / 2, dvec3(1, 0, 0)), dvec3(1.0)}, Plane{},
+      metal(0.0f));
+  const Image seen = render(reflected, view, {32, 32}, 64);
+  EXPECT_GT(meanOf(expected).value, 0.1);
+  EXPECT_NEAR(meanOf(seen).value, meanOf(expected).value, 1e-3);
+  EXPECT_LT(mrse(seen, expected), 1e-3);
+}
+
 }  // namespace
 }  // namespace steradian

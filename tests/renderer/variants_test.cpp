@@ -56,7 +56,9 @@ Scene allMirrors() {
   Scene scene = plainScene(6);
   add(scene, at({-0.8, 0, 0}), Sphere{0.8}, metal(0.0f, {0.9f, 0.6f, 0.4f}));
   add(scene, at({0.9, 0, 0.3}), Sphere{0.7}, metal(0.0f, {0.5f, 0.7f, 0.9f}));
-  add(scene, at({0, 0, 0}), Sphere{30.0}, emitter(1.0f));
+  Material sky = metal(0.0f, glm::vec3(0.2f));
+  sky.emissionLuminance = 1.0f;
+  add(scene, at({0, 0, 0}), Sphere{30.0}, sky);
   return scene;
 }
 
