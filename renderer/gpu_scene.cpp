@@ -81,9 +81,11 @@ struct Placed {
 };
 
 std::vector<Placed> visibleObjects(const Scene& scene) {
+  const std::vector<glm::dmat4> world = worldTransforms(scene);
+  const std::vector<bool> visible = hierarchyVisibility(scene);
   std::vector<Placed> placed;
-  for (const Object& o : scene.objects)
-    if (visibleInHierarchy(scene, o.id)) placed.push_back({&o, worldFromObject(scene, o.id)});
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (visible[i]) placed.push_back({&scene.objects[i], world[i]});
   return placed;
 }
 

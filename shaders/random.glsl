@@ -58,7 +58,7 @@ SamplePair samplePair(uint pixelSeed, uint index, uint dimension) {
 
 // An independent number for decisions that gain nothing from stratification (Russian roulette, light strata).
 float sampleIndependent(uint pixelSeed, uint index, uint dimension) {
-  return unitFloat(hashUint(hashUint(pixelSeed ^ 0xb5297a4du) ^ (index * 0x9e3779b9u + dimension * 0x85ebca77u)));
+  return unitFloat(hashUint(pixelSeed ^ (index * 0x9e3779b9u + dimension * 0x85ebca77u + 0xb5297a4du)));
 }
 
 uint pixelSeedOf(uint x, uint y, uint halfBuffer, uint seed) {

@@ -39,6 +39,22 @@ float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self, bool selfI
   return self ? ownSphere(b, selfInside) : (disc > 0.0 ? t : INFINITE);
 }
 
+// Whether the segment (0, tMax) crosses the sphere: no root is needed, so no square root and no division. From outside
+// to outside it must pass the closest approach inside; otherwise one end is inside and the other is not.
+bool blocksSphere(vec3 o, vec3 d, float tMax, vec3 centre, float radius, bool self, bool selfInside) {
+  vec3 f = o - centre;
+  float b = dot(f, d);
+  float r2 = radius * radius;
+  float c = dot(f, f) - r2;
+  vec3 l = f - d * b;
+  float disc = hybridDiscriminant(b, c, r2, dot(l, l));
+  bool startInside = c < 0.0;
+  bool endInside = c + tMax * (2.0 * b + tMax) < 0.0;
+  bool through = !startInside && b < 0.0 && tMax + b > 0.0 && disc > 0.0;
+  bool own = ownSphere(b, selfInside) < tMax;
+  return self ? own : (startInside != endInside || through);
+}
+
 // |o - centre|^2 - radius^2 in double-float: what a planet-sized sphere under a small camera needs.
 float sphereTermDouble(vec3 o, vec4 high, vec4 low) {
   DoubleFloat x = addDouble(twoSum(o.x, -high.x), DoubleFloat(-low.x, 0.0));
@@ -67,6 +83,14 @@ float hitPlane(vec3 o, vec3 d, vec4 plane, bool self) {
   float dn = dot(d, n);
   float t = (plane.w - dot(o, n)) / dn;
   return dn != 0.0 && t > 0.0 && !self ? t : INFINITE;
+}
+
+// Whether the plane lies within (0, tMax), without the division.
+bool blocksPlane(vec3 o, vec3 d, float tMax, vec4 plane, bool self) {
+  vec3 n = vec3(plane.x, plane.y, plane.z);
+  float dn = dot(d, n);
+  float height = plane.w - dot(o, n);
+  return height * dn > 0.0 && abs(height) < tMax * abs(dn) && !self;
 }
 
 // An object-space ray of an affine shape: o - centre first, then the 3x3, so that far centres cost nothing.

@@ -55,13 +55,14 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
         nearer(hit, hitPlane(ray.o, ray.d, fetchRow(kFirstRow + i), ray.self == i), i);
     }
   }
-  if (kLargeSpheres) {
-    for (uint i = l.largeSphere; i < l.box; ++i) {
-      uint row = largeSphereRow(l, i);
-      vec4 high = fetchRow(row);
-      vec4 low = fetchRow(row + 1u);
-      nearer(hit, hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside), i);
-    }
+}
+
+void hitLargeSpheres(inout Hit hit, Ray ray, Layout l) {
+  for (uint i = l.largeSphere; i < l.box; ++i) {
+    uint row = largeSphereRow(l, i);
+    vec4 high = fetchRow(row);
+    vec4 low = fetchRow(row + 1u);
+    nearer(hit, hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside), i);
   }
 }
 
@@ -86,14 +87,60 @@ void hitAffineShapes(inout Hit hit, Ray ray, Layout l) {
       nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
 }
 
+void hitOtherShapes(inout Hit hit, Ray ray, Layout l) {
+  if (kLargeSpheres) hitLargeSpheres(hit, ray, l);
+  if (kAffine) hitAffineShapes(hit, ray, l);
+}
+
 // Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.
 Hit closestHit(Ray ray, float tMax, Layout l) {
   Hit hit = Hit(tMax, NO_PRIMITIVE);
   hitSpheresAndPlanes(hit, ray, l);
-  if (kAffine) hitAffineShapes(hit, ray, l);
+  hitOtherShapes(hit, ray, l);
   return hit;
 }
 
-bool occluded(Ray ray, float tMax, Layout l) { return closestHit(ray, tMax, l).primitive != NO_PRIMITIVE; }
+bool spheresBlock(Ray ray, float tMax, Layout l) {
+  bool blocked = false;
+  if (kFixedSpheres > 0u) {
+    [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i) {
+      vec4 s = bakedSpheres[i];
+      bool hit = blocksSphere(ray.o, ray.d, tMax, s.xyz, s.w, ray.self == i, ray.selfInside);
+      blocked = blocked || hit;
+    }
+  } else {
+    for (uint i = 0u; i < l.plane; ++i) {
+      vec4 s = fetchRow(kFirstRow + i);
+      bool hit = blocksSphere(ray.o, ray.d, tMax, s.xyz, s.w, ray.self == i, ray.selfInside);
+      blocked = blocked || hit;
+    }
+  }
+  return blocked;
+}
+
+bool planesBlock(Ray ray, float tMax, Layout l) {
+  bool blocked = false;
+  if (kFixedPlanes > 0u) {
+    [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) {
+      bool hit = blocksPlane(ray.o, ray.d, tMax, bakedPlanes[i], ray.self == l.plane + i);
+      blocked = blocked || hit;
+    }
+  } else {
+    for (uint i = l.plane; i < l.largeSphere; ++i) {
+      bool hit = blocksPlane(ray.o, ray.d, tMax, fetchRow(kFirstRow + i), ray.self == i);
+      blocked = blocked || hit;
+    }
+  }
+  return blocked;
+}
+
+// Whether anything lies between the ray's origin and tMax.
+bool occluded(Ray ray, float tMax, Layout l) {
+  bool bySphere = kSpheres ? spheresBlock(ray, tMax, l) : false;
+  bool byPlane = kPlanes ? planesBlock(ray, tMax, l) : false;
+  Hit hit = Hit(tMax, NO_PRIMITIVE);
+  hitOtherShapes(hit, ray, l);
+  return bySphere || byPlane || hit.t < tMax;
+}
 
 #endif

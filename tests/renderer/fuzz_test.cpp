@@ -108,13 +108,13 @@ class FuzzTest : public RendererTest {
   /// Scenes of sizes and distances 10^-decades to 10^decades: thousands, or as many as a slow machine does in
   /// time.
   void fuzz(double decades) {
-    constexpr int most = 2500;
+    constexpr int most = 1500;
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     int count = 0, lit = 0;
-    for (; count < most && seconds() < 20.0; ++count) {
+    for (; count < most && seconds() < 10.0; ++count) {
       SceneDice dice(std::uint64_t(count) + std::uint64_t(decades * 1000) * 1'000'000, decades);
       const Scene scene = dice.scene();
       for (const Problem& p : problemsOf(scene)) ADD_FAILURE() << p.where << " " << p.what;
