@@ -122,6 +122,7 @@ BenchResult measure(const plugins::PluginHost& host, const std::filesystem::path
   }
   result.nan = special.renderer.stats().nanSamples;
   result.faults = special.renderer.stats().faults;
+  result.editMs = measureEdit(special.renderer, scene);
   result.validationMessages = validationMessages(*device);
   return result;
 }

@@ -50,6 +50,7 @@ struct BenchResult {
   bool bitEqual = false;                                 // images of both variants, same samples
   std::optional<double> coldFirstPixel, warmFirstPixel;  // seconds from process start, medians
   std::vector<TimeToError> timeToError;                  // special variant
+  double editMs = 0.0;  // from an edit to a traced picture that shows it, median
   std::uint64_t nan = 0, faults = 0;
   int validationMessages = 0;
 };

@@ -47,6 +47,7 @@ Json jsonOf(const BenchResult& result) {
           {"firstPixelSeconds",
            {{"cold", jsonOf(result.coldFirstPixel)}, {"warm", jsonOf(result.warmFirstPixel)}}},
           {"timeToError", timeToError},
+          {"editToPictureMs", result.editMs},
           {"nan", result.nan},
           {"faults", result.faults},
           {"validationMessages", result.validationMessages}};
@@ -70,6 +71,7 @@ std::string textOf(const BenchResult& result) {
                                *time.seconds, (unsigned long long)(time.samples))
                         : line("  %g %% relative error not reached within the limit, %llu samples",
                                time.relRmse * 100.0, (unsigned long long)(time.samples));
+  out += line("  edit to picture: %.1f ms", result.editMs);
   out += line("  NaN %llu, faults %llu, validation messages %d", (unsigned long long)(result.nan),
               (unsigned long long)(result.faults), result.validationMessages);
   return out;

@@ -14,4 +14,7 @@ struct BenchScene {
 BenchScene loadBenchScene(const plugins::PluginHost& host, const std::filesystem::path& project,
                           const BenchOptions& options);
 
+/// Milliseconds from an edit to the first picture that shows it, median of 20 edits.
+double measureEdit(Renderer& renderer, const BenchScene& scene);
+
 }  // namespace steradian::bench
