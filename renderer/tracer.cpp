@@ -12,6 +12,7 @@ using namespace gpu;
 
 namespace {
 
+constexpr double interactiveBudgetMs = 100.0;
 constexpr int groupSize = 8;  // local size of path_trace.comp in x and y
 
 std::uint32_t groups(int pixels) {
@@ -33,7 +34,11 @@ void Tracer::beginPass(Film& film, const LoopPlan& plan, std::uint64_t sampleEnd
   FilmProgress& p = film.progress;
   const double perSample = cost_.msPerMegasample() * double(film.pixels()) * 1e-6;
   // Grow gently: never more than what is there already, so that early pictures come soon.
-  const std::uint64_t wanted = std::uint64_t(std::max(1.0, budgetMs / perSample));
+  // A pass of several samples reads and writes the film once and keeps all lanes busy; what does not fit the
+  // budget is cut into bands of rows. Short budgets belong to a viewport, whose count of samples should keep
+  // moving.
+  const double fewest = budgetMs < interactiveBudgetMs ? 4.0 : 8.0;
+  const std::uint64_t wanted = std::uint64_t(std::max(fewest, budgetMs / perSample));
   const std::uint64_t grown = std::max<std::uint64_t>(1, p.done - p.begin);
   const std::uint64_t count =
       std::min({wanted, grown, std::uint64_t(plan.samplesPerDispatch), sampleEnd - p.done});
