@@ -27,31 +27,37 @@ float hybridDiscriminant(float b, float c, float r2, float approach2) {
 // trusted: at a grazing angle rounding flips it, which would be a self hit outside and a leak inside.
 float ownSphere(float b, bool selfInside) { return selfInside ? max(-2.0 * b, 0.0) : INFINITE; }
 
-// Unit direction d.
-float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self, bool selfInside) {
+// The quadratic t^2 + 2 b t + c = 0 of a ray and a sphere, and its discriminant b^2 - c.
+struct SphereTerms {
+  float b;
+  float c;
+  float disc;
+};
+
+SphereTerms sphereTerms(vec3 o, vec3 d, vec3 centre, float radius) {
   vec3 f = o - centre;
   float b = dot(f, d);
   float r2 = radius * radius;
   float c = dot(f, f) - r2;
   vec3 l = f - d * b;
-  float disc = hybridDiscriminant(b, c, r2, dot(l, l));
-  float t = nearestRoot(b, c, sqrt(max(disc, 0.0)));
-  return self ? ownSphere(b, selfInside) : (disc > 0.0 ? t : INFINITE);
+  return SphereTerms(b, c, hybridDiscriminant(b, c, r2, dot(l, l)));
+}
+
+// Unit direction d.
+float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self, bool selfInside) {
+  SphereTerms q = sphereTerms(o, d, centre, radius);
+  float t = nearestRoot(q.b, q.c, sqrt(max(q.disc, 0.0)));
+  return self ? ownSphere(q.b, selfInside) : (q.disc > 0.0 ? t : INFINITE);
 }
 
 // Whether the segment (0, tMax) crosses the sphere: no root is needed, so no square root and no division. From outside
 // to outside it must pass the closest approach inside; otherwise one end is inside and the other is not.
 bool blocksSphere(vec3 o, vec3 d, float tMax, vec3 centre, float radius, bool self, bool selfInside) {
-  vec3 f = o - centre;
-  float b = dot(f, d);
-  float r2 = radius * radius;
-  float c = dot(f, f) - r2;
-  vec3 l = f - d * b;
-  float disc = hybridDiscriminant(b, c, r2, dot(l, l));
-  bool startInside = c < 0.0;
-  bool endInside = c + tMax * (2.0 * b + tMax) < 0.0;
-  bool through = !startInside && b < 0.0 && tMax + b > 0.0 && disc > 0.0;
-  bool own = ownSphere(b, selfInside) < tMax;
+  SphereTerms q = sphereTerms(o, d, centre, radius);
+  bool startInside = q.c < 0.0;
+  bool endInside = q.c + tMax * (2.0 * q.b + tMax) < 0.0;
+  bool through = !startInside && q.b < 0.0 && tMax + q.b > 0.0 && q.disc > 0.0;
+  bool own = ownSphere(q.b, selfInside) < tMax;
   return self ? own : (startInside != endInside || through);
 }
 
