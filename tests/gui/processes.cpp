@@ -43,6 +43,16 @@ std::string awaitDisplay(const fs::path& file, Process& server) {
   throw std::runtime_error("Xvfb did not start; is the package xvfb installed?");
 }
 
+/// A window mapped while the manager starts may never be shown, and GLFW 3.3.8 then waits for ever.
+void awaitWindowManager(const fs::path& ready, Process& manager) {
+  for (int i = 0; i < 400; ++i) {
+    if (fs::exists(ready)) return;
+    if (!manager.running()) break;
+    std::this_thread::sleep_for(50ms);
+  }
+  throw std::runtime_error("the window manager did not start; is the package openbox installed?");
+}
+
 std::uint32_t bigEndian(const unsigned char* p) {
   return std::uint32_t(p[0]) << 24 | std::uint32_t(p[1]) << 16 | std::uint32_t(p[2]) << 8 | p[3];
 }
@@ -91,8 +101,10 @@ Screen::Screen(const fs::path& folder, int width, int height) : folder_(folder) 
   server_.emplace(std::vector<std::string>{"sh", "-c", start}, Process::Environment{}, folder,
                   folder / "xvfb.log");
   display_ = awaitDisplay(number, *server_);
-  windowManager_.emplace(std::vector<std::string>{"openbox"}, Process::Environment{{"DISPLAY", display_}},
-                         folder, folder / "openbox.log");
+  const fs::path ready = folder / "openbox-is-ready";
+  windowManager_.emplace(std::vector<std::string>{"openbox", "--startup", "touch '" + ready.string() + "'"},
+                         Process::Environment{{"DISPLAY", display_}}, folder, folder / "openbox.log");
+  awaitWindowManager(ready, *windowManager_);
 }
 
 Image Screen::read() const {
