@@ -19,7 +19,15 @@ struct Material {
   float ior = 1.5f;        // index of refraction, >= 1; F0 = ((ior-1)/(ior+1))^2
   glm::vec3 emissionColor{1.0f};   // linear Rec. 709, >= 0
   float emissionLuminance = 0.0f;  // nit (cd/m^2) times emissionColor, >= 0, both sides
-  std::string extras;              // unknown keys of the project file, as JSON text; kept on round trip
+  // Transmission replaces this share of the diffuse base: refraction through solids (Box, Sphere, Cylinder,
+  // Plane), straight passage through thin ones (Rect, Disk). Tinted by albedo.
+  float transmission = 0.0f;         // [0, 1]
+  glm::vec3 attenuationColor{1.0f};  // what a solid leaves of white light after attenuationDistance, (0, 1]
+  float attenuationDistance = 0.0f;  // metres, >= 0; 0 = clear
+  float clearcoat = 0.0f;            // weight of a dielectric coat of ior 1.5 on top, [0, 1]
+  float clearcoatRoughness = 0.0f;   // perceptual, [0, 1]
+  glm::vec3 edgeTint{1.0f};  // metals: reflectance at 82 degrees beside Schlick's, [0, 1]; 1 = plain Schlick
+  std::string extras;        // unknown keys of the project file, as JSON text; kept on round trip
 
   bool operator==(const Material&) const = default;
 };

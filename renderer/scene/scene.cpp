@@ -3,6 +3,7 @@
 #include "renderer/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -149,7 +150,14 @@ CameraView cameraView(const Scene& scene, std::string_view name) {
   }
   Transform rigid = transformOf(worldFromObject(scene, camera->id));
   rigid.scale = glm::dvec3(1.0);
-  return {matrixOf(rigid), std::get<Camera>(camera->content).fovY};
+  const Camera& lens = std::get<Camera>(camera->content);
+  return {matrixOf(rigid), lens.fovY, lens};
+}
+
+double apertureRadius(const Camera& camera) {
+  if (camera.fNumber <= 0.0 || camera.projection == Projection::orthographic) return 0.0;
+  const double focalLength = 0.5 * kSensorHeightMetres / std::tan(0.5 * camera.fovY);
+  return 0.5 * focalLength / camera.fNumber;
 }
 
 }  // namespace steradian

@@ -4,57 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "renderer/scene/validate_detail.hpp"
+
 namespace steradian {
-
-namespace {
-
-// Lengths and factors beyond these have squares that leave the range of float on the device.
-constexpr double kSmallest = 1e-12, kLargest = 1e12;
-// Light beyond this overflows the half-precision files that it is saved to long before float does.
-constexpr double kBrightest = 1e12;
-
-std::string text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%g", value);
-  return buffer;
-}
-
-/// Collects problems under a place name such as "object 'Lamp'".
-class Checker {
- public:
-  explicit Checker(std::vector<Problem>& problems) : problems_(problems) {}
-  void at(std::string place) { place_ = std::move(place); }
-
-  void fail(const std::string& field, std::string what) {
-    problems_.push_back(
-        {place_.empty() || field.empty() ? place_ + field : place_ + "." + field, std::move(what)});
-  }
-  void range(const std::string& field, double value, double low, double high) {
-    if (!(value >= low && value <= high))  // NaN fails too
-      fail(field, "is " + text(value) + "; expected a number from " + text(low) + " to " + text(high));
-  }
-  void inside(const std::string& field, double value, double low, double high) {
-    if (!(value > low && value < high))
-      fail(field,
-           "is " + text(value) + "; expected a number above " + text(low) + " and below " + text(high));
-  }
-  void finite(const std::string& field, double value) {
-    if (!std::isfinite(value)) fail(field, "is " + text(value) + "; expected a finite number");
-  }
-  void length(const std::string& field, double value) { range(field, value, kSmallest, kLargest); }
-  template <class Vector>
-  void each(const std::string& field, const Vector& v, double low, double high) {
-    for (int i = 0; i < Vector::length(); ++i) range(field + "." + "xyzw"[i], double(v[i]), low, high);
-  }
-
- private:
-  std::vector<Problem>& problems_;
-  std::string place_;
-};
 
 std::string place(const Object& object) {
   return "object '" +
@@ -65,6 +20,8 @@ std::string place(const Material& material) {
          (material.name.empty() ? std::string("#") + std::to_string(unsigned(material.id)) : material.name) +
          "'";
 }
+
+namespace {
 
 void checkScale(Checker& check, const std::string& field, const glm::dvec3& scale) {
   for (int i = 0; i < 3; ++i) {
@@ -86,57 +43,6 @@ void checkTransform(Checker& check, const Transform& transform) {
   check.each("transform.translation", transform.translation, -kLargest, kLargest);
   checkRotation(check, "transform.rotation", transform.rotation);
   checkScale(check, "transform.scale", transform.scale);
-}
-
-struct ShapeRules {
-  Checker& check;
-  void operator()(const Sphere& s) const { check.length("shape.radius", s.radius); }
-  void operator()(const Plane&) const {}
-  void operator()(const Box& s) const { check.each("shape.size", s.size, kSmallest, kLargest); }
-  void operator()(const Rect& s) const { check.each("shape.size", s.size, kSmallest, kLargest); }
-  void operator()(const Disk& s) const { check.length("shape.radius", s.radius); }
-  void operator()(const Cylinder& s) const {
-    check.length("shape.radius", s.radius);
-    check.length("shape.height", s.height);
-  }
-};
-
-struct ContentRules {
-  Checker& check;
-  const std::unordered_set<Id>& materials;
-  void operator()(const Group&) const {}
-  void operator()(const Camera& camera) const {
-    check.inside("camera.fovY", camera.fovY, 0.0, 3.141592653589793);
-  }
-  void operator()(const Geometry& geometry) const {
-    std::visit(ShapeRules{check}, geometry.shape);
-    if (geometry.material != Id::none && !materials.count(geometry.material))
-      check.fail("material",
-                 "is " + std::to_string(unsigned(geometry.material)) + "; there is no such material");
-  }
-  void operator()(const Light& light) const {
-    check.each("light.color", light.color, 0.0, kBrightest);
-    check.range("light.intensity", light.intensity, 0.0, kBrightest);
-    const auto* spot = std::get_if<SpotLight>(&light.kind);
-    if (!spot) return;
-    // The float nearest to pi/2 lies above it.
-    check.inside("light.outerConeAngle", spot->outerConeAngle, 0.0, 1.5707965);
-    if (!(spot->innerConeAngle >= 0.0f && spot->innerConeAngle < spot->outerConeAngle))
-      check.fail("light.innerConeAngle", "is " + text(spot->innerConeAngle) +
-                                             "; expected at least 0 and less than outerConeAngle, " +
-                                             text(spot->outerConeAngle));
-  }
-};
-
-void checkMaterial(Checker& check, const Material& material) {
-  check.at(place(material));
-  check.each("albedo", material.albedo, 0.0, 1.0);
-  check.range("metallic", material.metallic, 0.0, 1.0);
-  check.range("roughness", material.roughness, 0.0, 1.0);
-  check.range("specular", material.specular, 0.0, 1.0);
-  check.range("ior", material.ior, 1.0, 1000.0);
-  check.each("emissionColor", material.emissionColor, 0.0, kBrightest);
-  check.range("emissionLuminance", material.emissionLuminance, 0.0, kBrightest);
 }
 
 void checkIds(Checker& check, const Scene& scene) {
@@ -242,8 +148,11 @@ void checkSettings(Checker& check, const Scene& scene) {
   check.range("height", scene.render.height, 1, 16384);
   check.range("maxBounces", scene.render.maxBounces, 0, 64);
   check.range("lightSamples", scene.render.lightSamples, 1, 16);
+  check.range("clamp", scene.render.clamp, 0.0, kBrightest);
   check.at("display");
   check.range("exposure", scene.display.exposure, -100.0, 100.0);
+  // Moonless night -6, sunlit snow 16; with the stops the factor stays within float.
+  check.range("ev100", scene.display.ev100, -25.0, 25.0);
   check.range("gamma", scene.display.gamma, 0.1, 10.0);
   for (const auto& [id, value] : scene.display.parameters) check.finite("parameters." + id, value);
   check.at("");
@@ -264,7 +173,7 @@ std::vector<Problem> problemsOf(const Scene& scene) {
   for (const Object& object : scene.objects) {
     check.at(place(object));
     checkTransform(check, object.transform);
-    std::visit(ContentRules{check, materials}, object.content);
+    checkContent(check, object, materials);
   }
   for (const Material& material : scene.materials) checkMaterial(check, material);
   checkHierarchy(check, scene);

@@ -46,6 +46,12 @@ Geometry& geometry(Scene& s) {
 Light& light(Scene& s) {
   return std::get<Light>(s.objects[1].content);
 }
+EnvironmentLight& environment(Scene& s) {
+  return light(s).kind.emplace<EnvironmentLight>();
+}
+Camera& camera(Scene& s) {
+  return std::get<Camera>(s.objects[2].content);
+}
 Channel& channel(Scene& s) {
   return s.animation.channels[0];
 }
@@ -79,6 +85,27 @@ const Breakage kBreakages[] = {
      [](Scene& s) { std::get<SpotLight>(light(s).kind).outerConeAngle = 1.6f; }},
     {"object 'o2'.light.innerConeAngle",
      [](Scene& s) { std::get<SpotLight>(light(s).kind).innerConeAngle = 0.8f; }},
+    {"object 'o2'.light.temperature", [](Scene& s) { light(s).temperature = 999.0f; }},
+    {"object 'o2'.light.temperature", [](Scene& s) { light(s).temperature = 40001.0f; }},
+    {"object 'o2'.light.temperature", [](Scene& s) { light(s).temperature = NAN; }},
+    {"object 'o2'.light.angularDiameter", [](Scene& s) { light(s).kind = DirectionalLight{1.6f}; }},
+    {"object 'o2'.light.angularDiameter", [](Scene& s) { light(s).kind = DirectionalLight{-0.1f}; }},
+    {"object 'o2'.light.radius", [](Scene& s) { light(s).kind = SphereLight{0.0}; }},
+    {"object 'o2'.light.radius", [](Scene& s) { light(s).kind = DiskLight{kInf}; }},
+    {"object 'o2'.light.size.y",
+     [](Scene& s) {
+       light(s).kind = RectLight{{1.0, -1.0}};
+     }},
+    {"object 'o2'.light.horizon.x", [](Scene& s) { environment(s).horizon.x = -1.0f; }},
+    {"object 'o2'.light.ground.z", [](Scene& s) { environment(s).ground.z = INFINITY; }},
+    {"object 'o2'.light.image",
+     [](Scene& s) {
+       environment(s).image = std::make_shared<const Image>(Image{1, 1, 4, {1, 1, 1, 1}});
+     }},
+    {"object 'o3'.camera.orthographicHeight", [](Scene& s) { camera(s).orthographicHeight = 0.0; }},
+    {"object 'o3'.camera.fNumber", [](Scene& s) { camera(s).fNumber = -1.0; }},
+    {"object 'o3'.camera.fNumber", [](Scene& s) { camera(s).fNumber = kNan; }},
+    {"object 'o3'.camera.focusDistance", [](Scene& s) { camera(s).focusDistance = 0.0; }},
     {"object 'o3'.camera.fovY", [](Scene& s) { s.objects[2].content = Camera{0.0}; }},
     {"object 'o3'.camera.fovY", [](Scene& s) { s.objects[2].content = Camera{3.15}; }},
     {"object 'o2'.id",
@@ -101,6 +128,13 @@ const Breakage kBreakages[] = {
     {"material 'm5'.ior", [](Scene& s) { s.materials[0].ior = 0.9f; }},
     {"material 'm5'.emissionColor.z", [](Scene& s) { s.materials[0].emissionColor.z = -1.0f; }},
     {"material 'm5'.emissionLuminance", [](Scene& s) { s.materials[0].emissionLuminance = INFINITY; }},
+    {"material 'm5'.transmission", [](Scene& s) { s.materials[0].transmission = 1.1f; }},
+    {"material 'm5'.attenuationColor.y", [](Scene& s) { s.materials[0].attenuationColor.y = 0.0f; }},
+    {"material 'm5'.attenuationColor.z", [](Scene& s) { s.materials[0].attenuationColor.z = 1.1f; }},
+    {"material 'm5'.attenuationDistance", [](Scene& s) { s.materials[0].attenuationDistance = -1.0f; }},
+    {"material 'm5'.clearcoat", [](Scene& s) { s.materials[0].clearcoat = NAN; }},
+    {"material 'm5'.clearcoatRoughness", [](Scene& s) { s.materials[0].clearcoatRoughness = 2.0f; }},
+    {"material 'm5'.edgeTint.x", [](Scene& s) { s.materials[0].edgeTint.x = -0.1f; }},
     {"animation.framesPerSecond", [](Scene& s) { s.animation.framesPerSecond = 0.0; }},
     {"animation.channels[0].target", [](Scene& s) { channel(s).target = Id(9); }},
     {"animation.channels[0].target", [](Scene& s) { channel(s).target = Id(1); }},
@@ -119,6 +153,8 @@ const Breakage kBreakages[] = {
     {"render.height", [](Scene& s) { s.render.height = 0; }},
     {"render.maxBounces", [](Scene& s) { s.render.maxBounces = 65; }},
     {"render.lightSamples", [](Scene& s) { s.render.lightSamples = 0; }},
+    {"render.clamp", [](Scene& s) { s.render.clamp = -1.0f; }},
+    {"display.ev100", [](Scene& s) { s.display.ev100 = 26.0f; }},
     {"display.exposure", [](Scene& s) { s.display.exposure = NAN; }},
     {"display.gamma", [](Scene& s) { s.display.gamma = 0.0f; }},
     {"display.parameters.white", [](Scene& s) { s.display.parameters["white"] = NAN; }},
@@ -130,6 +166,22 @@ const Breakage kBreakages[] = {
 TEST(Validation, finds_nothing_in_a_sound_scene) {
   for (const Problem& problem : problemsOf(sound())) ADD_FAILURE() << problem.where << " " << problem.what;
   EXPECT_TRUE(problemsOf(Scene{}).empty());
+}
+
+TEST(Validation, accepts_the_ends_of_every_range) {
+  Scene scene = sound();
+  Light& lamp = light(scene);
+  Material& material = scene.materials[0];
+  camera(scene) = {.projection = Projection::orthographic, .fNumber = 0.0};
+  lamp.temperature = 1000.0f;
+  lamp.kind = DirectionalLight{1.5707963f};
+  material.attenuationColor = glm::vec3(1e-30f, 1.0f, 0.5f);
+  material.attenuationDistance = 0.0f;
+  scene.display.ev100 = -25.0f;
+  EXPECT_TRUE(problemsOf(scene).empty());
+  lamp.temperature = 40000.0f;
+  lamp.kind = EnvironmentLight{.horizon = glm::vec3(0.0f)};
+  EXPECT_TRUE(problemsOf(scene).empty());
 }
 
 TEST(Validation, reports_each_broken_rule_once_and_where_it_is) {
