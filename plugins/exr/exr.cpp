@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes scene-linear radiance as OpenEXR, 32-bit float (or half), zip, with Rec. 709 chromaticities.
+// Writes scene-linear radiance as OpenEXR, 32-bit float (or half), zip, with Rec. 709 chromaticities. Further
+// layers follow as channels LAYER.NAME, always 32-bit: an object id or a sum of samples has no digit to lose.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -20,9 +21,28 @@ constexpr float kLargestHalf = 65504.0f;
 constexpr float kRec709[8] = {0.64f, 0.33f, 0.30f,   0.60f,
                               0.15f, 0.06f, 0.3127f, 0.3290f};  // r g b white, x y
 
+std::span<const sdk::LayerRecord> layersOf(const sdk::ImageRecord& image) {
+  return {image.layers, std::size_t(image.layerCount)};
+}
+
+/// R, G, B, then the channels of the layers.
+std::vector<std::string> channelNames(const sdk::ImageRecord& image) {
+  std::vector<std::string> names{"R", "G", "B"};
+  for (const sdk::LayerRecord& layer : layersOf(image))
+    for (std::uint32_t c = 0; c < layer.channelCount; ++c)
+      names.push_back(layer.name.str() + "." + layer.channels[c].str());
+  return names;
+}
+
 OIIO::ImageSpec specOf(const sdk::ImageRecord& image, bool half) {
-  OIIO::ImageSpec spec(int(image.width), int(image.height), 3,
-                       half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+  const std::vector<std::string> names = channelNames(image);
+  OIIO::ImageSpec spec(int(image.width), int(image.height), int(names.size()), OIIO::TypeDesc::FLOAT);
+  spec.channelnames = names;
+  if (half) {
+    spec.channelformats.assign(names.size(), OIIO::TypeDesc::FLOAT);
+    std::fill_n(spec.channelformats.begin(), 3, OIIO::TypeDesc::HALF);
+  }
+  if (half && names.size() == 3) spec.set_format(OIIO::TypeDesc::HALF);
   spec.attribute("DateTime", "");  // else OpenImageIO writes the time of day: the same picture, other bytes
   for (std::uint64_t i = 0; i < image.metadataCount; ++i)
     spec.attribute(image.metadata[i].key.str(), image.metadata[i].value.str());
@@ -57,18 +77,35 @@ class Exr final : public sdk::Exporter {
   }
 
  private:
+  /// All channels of the rows [begin, end), pixel by pixel.
+  static std::vector<float> interleaved(const sdk::ImageRecord& image, bool half, std::uint32_t begin,
+                                        std::uint32_t end) {
+    std::size_t channels = 3;
+    for (const sdk::LayerRecord& layer : layersOf(image)) channels += layer.channelCount;
+    const std::size_t first = std::size_t(begin) * image.width, last = std::size_t(end) * image.width;
+    std::vector<float> out;
+    out.reserve((last - first) * channels);
+    for (std::size_t pixel = first; pixel < last; ++pixel) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float v = image.radiance[pixel * 3 + c];
+        // Beyond the range a half becomes infinite; NaN passes.
+        out.push_back(!half ? v : v > kLargestHalf ? kLargestHalf : v < -kLargestHalf ? -kLargestHalf : v);
+      }
+      for (const sdk::LayerRecord& layer : layersOf(image))
+        out.insert(out.end(), layer.pixels + pixel * layer.channelCount,
+                   layer.pixels + (pixel + 1) * layer.channelCount);
+    }
+    return out;
+  }
+
   static void writeRows(sdk::Host& host, const sdk::ImageRecord& image, bool half,
                         OIIO::ImageOutput& output) {
     constexpr std::uint32_t kRows = 64;  // whole zip blocks of 16, short enough to cancel
-    std::vector<float> rows;
     for (std::uint32_t y = 0; y < image.height; y += kRows) {
       if (host.cancelled()) throw sdk::Cancelled{};
       host.progress(double(y) / image.height);
       const std::uint32_t end = std::min(y + kRows, image.height);
-      const std::size_t stride = std::size_t(image.width) * 3;
-      rows.assign(image.radiance + y * stride, image.radiance + end * stride);
-      if (half)  // beyond the range a half becomes infinite; NaN passes
-        for (float& v : rows) v = v > kLargestHalf ? kLargestHalf : v < -kLargestHalf ? -kLargestHalf : v;
+      const std::vector<float> rows = interleaved(image, half, y, end);
       if (!output.write_scanlines(int(y), int(end), 0, OIIO::TypeDesc::FLOAT, rows.data()))
         throw std::runtime_error(output.geterror());
     }

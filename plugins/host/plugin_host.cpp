@@ -34,6 +34,27 @@ std::string lowerExtension(const fs::path& path) {
   return out;
 }
 
+/// The layers of a picture as records. Throws Error(badInput) for one that is not of the picture's size.
+class LayerRecords {
+ public:
+  LayerRecords(const ImageToSave& image, const fs::path& path) : names_(image.layers.size()) {
+    for (std::size_t i = 0; i < image.layers.size(); ++i) {
+      const ImageLayer& layer = image.layers[i];
+      const Image& pixels = layer.pixels;
+      if (pixels.width != image.width || pixels.height != image.height || pixels.channels < 1 ||
+          std::size_t(pixels.channels) != layer.channelNames.size())
+        throw Error(ExitCode::badInput,
+                    path.string() + ": not written, the layer " + layer.name + " does not fit the picture");
+      names_[i].assign(layer.channelNames.begin(), layer.channelNames.end());
+      records.push_back({layer.name, names_[i].data(), pixels.pixels.data(), std::uint32_t(pixels.channels)});
+    }
+  }
+  std::vector<sdk::LayerRecord> records;
+
+ private:
+  std::vector<std::vector<sdk::Text>> names_;
+};
+
 bool hasExtension(const Contribution& c, const std::string& extension) {
   return std::find(c.extensions.begin(), c.extensions.end(), extension) != c.extensions.end();
 }
@@ -286,6 +307,9 @@ void PluginHost::exportImage(const ImageToSave& image, const fs::path& path, con
   record.displayed = image.displayed;
   record.metadata = metadata.data();
   record.metadataCount = metadata.size();
+  const LayerRecords layers(image, path);
+  record.layers = layers.records.data();
+  record.layerCount = layers.records.size();
   impl_->run(*c, nullptr, &record, path, progress, parameters);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/scene/error.hpp"
+#include "renderer/scene/image.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace steradian::plugins {
@@ -65,12 +66,20 @@ struct ImportResult {
   ImportReport report;
 };
 
+/// More channels of a picture, for formats that hold layers (EXR): NAME.R, NAME.G ... in the file.
+struct ImageLayer {
+  std::string name;                       // "albedo"
+  Image pixels;                           // of the picture's size
+  std::vector<std::string> channelNames;  // one for each channel of pixels: "R", "G", "B", "Z", "id" ...
+};
+
 /// Float pixels offered to an image exporter, with text metadata (EXR attributes, PNG text).
 struct ImageToSave {
   int width = 0, height = 0;
   const float* radiance = nullptr;   // scene-linear RGB, 3 floats per pixel; for scene-linear formats
   const float* displayed = nullptr;  // display-encoded RGB in [0, 1]; for display formats
   std::map<std::string, std::string> metadata;
+  std::span<const ImageLayer> layers = {};  // left out by formats that hold none
 };
 
 class PluginHost {

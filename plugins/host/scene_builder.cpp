@@ -20,9 +20,24 @@ glm::vec3 vec3Of(const float (&v)[3]) {
 
 Light lightOf(const sdk::ObjectRecord& r) {
   Light light{.color = vec3Of(r.color), .intensity = r.intensity};
+  light.temperature = r.temperature;
   if (r.kind == sdk::ObjectKind::spotLight) light.kind = SpotLight{r.innerConeAngle, r.outerConeAngle};
-  if (r.kind == sdk::ObjectKind::directionalLight) light.kind = DirectionalLight{};
+  if (r.kind == sdk::ObjectKind::directionalLight) light.kind = DirectionalLight{r.angularDiameter};
+  if (r.kind == sdk::ObjectKind::sphereLight) light.kind = SphereLight{r.radius};
+  if (r.kind == sdk::ObjectKind::rectLight) light.kind = RectLight{{r.dimensions[0], r.dimensions[1]}};
+  if (r.kind == sdk::ObjectKind::diskLight) light.kind = DiskLight{r.radius};
+  if (r.kind == sdk::ObjectKind::environmentLight)
+    light.kind =
+        EnvironmentLight{.horizon = vec3Of(r.horizon), .ground = vec3Of(r.ground), .file = r.imageFile.str()};
   return light;
+}
+
+Camera cameraOf(const sdk::ObjectRecord& r) {
+  return {.fovY = r.fovY,
+          .projection = Projection{r.projection},
+          .orthographicHeight = r.orthographicHeight,
+          .fNumber = r.fNumber,
+          .focusDistance = r.focusDistance};
 }
 
 /// False for a kind that this version does not know.
@@ -53,10 +68,14 @@ bool contentOf(const sdk::ObjectRecord& r, Object& out) {
     case sdk::ObjectKind::pointLight:
     case sdk::ObjectKind::spotLight:
     case sdk::ObjectKind::directionalLight:
+    case sdk::ObjectKind::sphereLight:
+    case sdk::ObjectKind::rectLight:
+    case sdk::ObjectKind::diskLight:
+    case sdk::ObjectKind::environmentLight:
       out.content = lightOf(r);
       return true;
     case sdk::ObjectKind::camera:
-      out.content = Camera{r.fovY};
+      out.content = cameraOf(r);
       return true;
   }
   return false;
@@ -100,6 +119,8 @@ void SceneBuilder::setRender(const sdk::RenderSettingsRecord& theirs) noexcept {
                      .lightSamples = r.lightSamples,
                      .russianRoulette = r.russianRoulette != 0,
                      .errorMeter = r.errorMeter != 0,
+                     .energyCompensation = r.energyCompensation != 0,
+                     .clamp = r.clamp,
                      .filter = PixelFilter{r.filter},
                      .seed = r.seed};
   });
@@ -110,6 +131,8 @@ void SceneBuilder::setDisplay(const sdk::DisplaySettingsRecord& theirs) noexcept
     const auto r = sdk::adopt(theirs);
     if (r.transfer > 1) problems_.push_back({"display.transfer", "is unknown"});
     scene_.display = {.exposure = r.exposure,
+                      .physical = r.physical != 0,
+                      .ev100 = r.ev100,
                       .tonemapper = textOf(r.tonemapper, "display.tonemapper"),
                       .transfer = Transfer{r.transfer},
                       .gamma = r.gamma};
@@ -132,6 +155,12 @@ void SceneBuilder::addMaterial(const sdk::MaterialRecord& theirs) noexcept {
                                 .ior = r.ior,
                                 .emissionColor = vec3Of(r.emissionColor),
                                 .emissionLuminance = r.emissionLuminance,
+                                .transmission = r.transmission,
+                                .attenuationColor = vec3Of(r.attenuationColor),
+                                .attenuationDistance = r.attenuationDistance,
+                                .clearcoat = r.clearcoat,
+                                .clearcoatRoughness = r.clearcoatRoughness,
+                                .edgeTint = vec3Of(r.edgeTint),
                                 .extras = textOf(r.extras, where + ".extras")});
   });
 }
@@ -146,6 +175,8 @@ void SceneBuilder::addObject(const sdk::ObjectRecord& theirs) noexcept {
     object.transform.scale = vec3Of(r.scale);
     object.visible = r.visible != 0;
     object.extras = textOf(r.extras, where + ".extras");
+    if (r.projection > 1) problems_.push_back({where + ".camera.projection", "is unknown"});
+    if (r.kind == sdk::ObjectKind::environmentLight) textOf(r.imageFile, where + ".light.file");
     if (!contentOf(r, object)) problems_.push_back({where, "is of an unknown kind"});
     scene_.objects.push_back(std::move(object));
   });

@@ -23,6 +23,32 @@ struct ShapeRecorder {
   }
 };
 
+struct LightRecorder {
+  sdk::ObjectRecord& out;
+  void operator()(const PointLight&) const { out.kind = sdk::ObjectKind::pointLight; }
+  void operator()(const SpotLight& spot) const {
+    out.kind = sdk::ObjectKind::spotLight;
+    out.innerConeAngle = spot.innerConeAngle;
+    out.outerConeAngle = spot.outerConeAngle;
+  }
+  void operator()(const DirectionalLight& sun) const {
+    out.kind = sdk::ObjectKind::directionalLight, out.angularDiameter = sun.angularDiameter;
+  }
+  void operator()(const SphereLight& l) const {
+    out.kind = sdk::ObjectKind::sphereLight, out.radius = l.radius;
+  }
+  void operator()(const RectLight& l) const {
+    out.kind = sdk::ObjectKind::rectLight, copy(l.size, out.dimensions);
+  }
+  void operator()(const DiskLight& l) const { out.kind = sdk::ObjectKind::diskLight, out.radius = l.radius; }
+  void operator()(const EnvironmentLight& sky) const {
+    out.kind = sdk::ObjectKind::environmentLight;
+    copy(sky.horizon, out.horizon);
+    copy(sky.ground, out.ground);
+    out.imageFile = sky.file;
+  }
+};
+
 struct ContentRecorder {
   sdk::ObjectRecord& out;
   void operator()(const Group&) const { out.kind = sdk::ObjectKind::group; }
@@ -30,17 +56,18 @@ struct ContentRecorder {
     std::visit(ShapeRecorder{out}, g.shape);
     out.material = std::uint32_t(g.material);
   }
-  void operator()(const Camera& c) const { out.kind = sdk::ObjectKind::camera, out.fovY = c.fovY; }
+  void operator()(const Camera& c) const {
+    out.kind = sdk::ObjectKind::camera, out.fovY = c.fovY;
+    out.projection = std::uint32_t(c.projection);
+    out.orthographicHeight = c.orthographicHeight;
+    out.fNumber = c.fNumber;
+    out.focusDistance = c.focusDistance;
+  }
   void operator()(const Light& light) const {
     copy(light.color, out.color);
     out.intensity = light.intensity;
-    out.kind = std::holds_alternative<DirectionalLight>(light.kind) ? sdk::ObjectKind::directionalLight
-                                                                    : sdk::ObjectKind::pointLight;
-    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
-      out.kind = sdk::ObjectKind::spotLight;
-      out.innerConeAngle = spot->innerConeAngle;
-      out.outerConeAngle = spot->outerConeAngle;
-    }
+    out.temperature = light.temperature;
+    std::visit(LightRecorder{out}, light.kind);
   }
 };
 
@@ -71,6 +98,12 @@ sdk::MaterialRecord recordOf(const Material& material) {
   out.ior = material.ior;
   copy(material.emissionColor, out.emissionColor);
   out.emissionLuminance = material.emissionLuminance;
+  out.transmission = material.transmission;
+  copy(material.attenuationColor, out.attenuationColor);
+  out.attenuationDistance = material.attenuationDistance;
+  out.clearcoat = material.clearcoat;
+  out.clearcoatRoughness = material.clearcoatRoughness;
+  copy(material.edgeTint, out.edgeTint);
   return out;
 }
 
@@ -82,7 +115,9 @@ sdk::RenderSettingsRecord recordOf(const RenderSettings& s) {
           .russianRoulette = s.russianRoulette,
           .errorMeter = s.errorMeter,
           .filter = std::uint32_t(s.filter),
-          .seed = s.seed};
+          .seed = s.seed,
+          .energyCompensation = s.energyCompensation,
+          .clamp = s.clamp};
 }
 
 }  // namespace
@@ -98,6 +133,8 @@ SceneRecords::SceneRecords(const Scene& scene) : render_(recordOf(scene.render))
   display_.tonemapper = scene.display.tonemapper;
   display_.transfer = std::uint32_t(scene.display.transfer);
   display_.gamma = scene.display.gamma;
+  display_.physical = scene.display.physical;
+  display_.ev100 = scene.display.ev100;
   display_.parameters = parameters_.data();
   display_.parameterCount = parameters_.size();
   for (const Material& material : scene.materials) materials_.push_back(recordOf(material));

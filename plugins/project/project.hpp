@@ -15,8 +15,20 @@ inline constexpr const char* kProperties[] = {"translation", "rotation", "scale"
 inline constexpr std::size_t kPropertySizes[] = {3, 4, 3, 1, 3};  // numbers of a key's value
 inline constexpr const char* kInterpolations[] = {"step", "linear", "cubic"};
 inline constexpr const char* kContents[] = {
-    "group",     "sphere",           "plane", "box", "rect", "disk", "cylinder", "pointLight",
-    "spotLight", "directionalLight", "camera"};
+    "group",  "sphere",      "plane",      "box",       "rect",
+    "disk",   "cylinder",    "pointLight", "spotLight", "directionalLight",
+    "camera", "sphereLight", "rectLight",  "diskLight", "environmentLight"};
+inline constexpr const char* kProjections[] = {"perspective", "orthographic"};
+
+/// What an object of this kind has where the file says nothing.
+inline steradian::sdk::ObjectRecord usualOf(steradian::sdk::ObjectKind kind) {
+  using steradian::sdk::ObjectKind;
+  steradian::sdk::ObjectRecord usual{.kind = kind};
+  if (kind == ObjectKind::sphereLight) usual.radius = 0.25;
+  if (kind == ObjectKind::diskLight) usual.radius = 0.5;
+  if (kind == ObjectKind::rectLight) usual.dimensions[0] = usual.dimensions[1] = 1;
+  return usual;
+}
 
 /// Throws BadInput with place, what was expected and what was found.
 void readProject(steradian::sdk::Host& host, std::string_view bytes, steradian::sdk::SceneSink& sink);

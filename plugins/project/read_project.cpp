@@ -42,15 +42,35 @@ void checkVersion(const Json& root) {
                         "); open it there, or update this one");
 }
 
-void readLight(Fields& f, sdk::ObjectRecord& out) {
+void readLight(Fields& f, sdk::ObjectRecord& out, Texts& texts) {
   f.read("color", out.color, kNotNegative);
   f.read("intensity", out.intensity, kNotNegative);
-  if (out.kind != ObjectKind::spotLight) return;
-  f.read("innerConeAngle", out.innerConeAngle, kNotNegative);
-  f.read("outerConeAngle", out.outerConeAngle, kPositive);
+  f.read("temperature", out.temperature, kNotNegative);
+  if (out.kind == ObjectKind::spotLight) {
+    f.read("innerConeAngle", out.innerConeAngle, kNotNegative);
+    f.read("outerConeAngle", out.outerConeAngle, kPositive);
+  }
+  if (out.kind == ObjectKind::directionalLight) f.read("angularDiameter", out.angularDiameter, kNotNegative);
+  if (out.kind == ObjectKind::sphereLight || out.kind == ObjectKind::diskLight)
+    f.read("radius", out.radius, kPositive);
+  if (out.kind == ObjectKind::rectLight) f.read("size", std::span(out.dimensions, 2), kPositive);
+  if (out.kind != ObjectKind::environmentLight) return;
+  f.read("horizon", out.horizon, kNotNegative);
+  f.read("ground", out.ground, kNotNegative);
+  out.imageFile = texts.read(f, "file");
 }
 
-void readContent(Fields f, sdk::ObjectRecord& out) {
+void readCamera(Fields& f, sdk::ObjectRecord& out) {
+  f.read("fovY", out.fovY, kPositive);
+  f.readChoice("projection", out.projection, kProjections);
+  f.read("orthographicHeight", out.orthographicHeight, kPositive);
+  f.read("fNumber", out.fNumber, kNotNegative);
+  f.read("focusDistance", out.focusDistance, kPositive);
+}
+
+void readContent(Fields f, sdk::ObjectRecord& out, Texts& texts) {
+  out.radius = usualOf(out.kind).radius;
+  std::ranges::copy(usualOf(out.kind).dimensions, out.dimensions);
   switch (out.kind) {
     case ObjectKind::group:
     case ObjectKind::plane:
@@ -72,10 +92,14 @@ void readContent(Fields f, sdk::ObjectRecord& out) {
     case ObjectKind::pointLight:
     case ObjectKind::spotLight:
     case ObjectKind::directionalLight:
-      readLight(f, out);
+    case ObjectKind::sphereLight:
+    case ObjectKind::rectLight:
+    case ObjectKind::diskLight:
+    case ObjectKind::environmentLight:
+      readLight(f, out, texts);
       break;
     case ObjectKind::camera:
-      f.read("fovY", out.fovY, kPositive);
+      readCamera(f, out);
       break;
   }
 }
@@ -99,7 +123,7 @@ sdk::ObjectRecord readObject(Fields& f, Texts& texts) {
       throw sdk::BadInput(f.path() + ": expected one content, got both \"" +
                           kContents[std::uint32_t(out.kind)] + "\" and \"" + kContents[kind] + "\"");
     out.kind = ObjectKind{kind};
-    f.within(kContents[kind], [&](Fields inner) { readContent(inner, out); });
+    f.within(kContents[kind], [&](Fields inner) { readContent(inner, out, texts); });
   }
   if (f.has("material") && !isShape(out.kind)) f.fail("material", "it only on an object with a shape");
   f.readUnsigned("material", out.material);
@@ -119,6 +143,12 @@ sdk::MaterialRecord readMaterial(Fields& f, Texts& texts) {
   f.read("ior", out.ior, kIor);
   f.read("emissionColor", out.emissionColor, kNotNegative);
   f.read("emissionLuminance", out.emissionLuminance, kNotNegative);
+  f.read("transmission", out.transmission, kUnit);
+  f.read("attenuationColor", out.attenuationColor, kUnit);
+  f.read("attenuationDistance", out.attenuationDistance, kNotNegative);
+  f.read("clearcoat", out.clearcoat, kUnit);
+  f.read("clearcoatRoughness", out.clearcoatRoughness, kUnit);
+  f.read("edgeTint", out.edgeTint, kUnit);
   out.extras = texts.keep(f.leftover());
   return out;
 }
@@ -131,6 +161,8 @@ void readRender(Fields f, sdk::SceneSink& sink) {
   f.readInteger("lightSamples", out.lightSamples, 1, 16);
   f.readFlag("russianRoulette", out.russianRoulette);
   f.readFlag("errorMeter", out.errorMeter);
+  f.readFlag("energyCompensation", out.energyCompensation);
+  f.read("clamp", out.clamp, kNotNegative);
   f.readChoice("filter", out.filter, kFilters);
   f.readUnsigned("seed", out.seed);
   sink.setRender(out);
@@ -142,6 +174,8 @@ void readDisplay(Fields f, sdk::SceneSink& sink) {
   Texts texts;
   std::vector<sdk::ParameterValue> parameters;
   f.read("exposure", out.exposure);
+  f.readFlag("physical", out.physical);
+  f.read("ev100", out.ev100);
   if (f.has("tonemapper")) out.tonemapper = texts.read(f, "tonemapper");
   f.members("parameters", [&](const std::string& id, const Json& value, const std::string& path) {
     parameters.push_back({texts.keep(id), numberFrom(value, path, kFloat)});

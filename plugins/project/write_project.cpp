@@ -103,14 +103,48 @@ OrderedJson materialJson(sdk::Host& host, const sdk::MaterialRecord& m) {
   keys.put("ior", m.ior, usual.ior);
   keys.put("emissionColor", m.emissionColor, usual.emissionColor);
   keys.put("emissionLuminance", m.emissionLuminance, usual.emissionLuminance);
+  keys.put("transmission", m.transmission, usual.transmission);
+  keys.put("attenuationColor", m.attenuationColor, usual.attenuationColor);
+  keys.put("attenuationDistance", m.attenuationDistance, usual.attenuationDistance);
+  keys.put("clearcoat", m.clearcoat, usual.clearcoat);
+  keys.put("clearcoatRoughness", m.clearcoatRoughness, usual.clearcoatRoughness);
+  keys.put("edgeTint", m.edgeTint, usual.edgeTint);
   addExtras(host, keys.json, m.extras,
             {"id", "name", "albedo", "metallic", "roughness", "specular", "ior", "emissionColor",
-             "emissionLuminance"});
+             "emissionLuminance", "transmission", "attenuationColor", "attenuationDistance", "clearcoat",
+             "clearcoatRoughness", "edgeTint"});
   return keys.json;
 }
 
+void putLight(Keys& keys, const sdk::ObjectRecord& o, const sdk::ObjectRecord& usual) {
+  keys.put("color", o.color, usual.color);
+  keys.put("intensity", o.intensity, usual.intensity);
+  keys.put("temperature", o.temperature, usual.temperature);
+  if (o.kind == ObjectKind::spotLight) {
+    keys.put("innerConeAngle", o.innerConeAngle, usual.innerConeAngle);
+    keys.put("outerConeAngle", o.outerConeAngle, usual.outerConeAngle);
+  }
+  if (o.kind == ObjectKind::directionalLight)
+    keys.put("angularDiameter", o.angularDiameter, usual.angularDiameter);
+  if (o.kind == ObjectKind::sphereLight || o.kind == ObjectKind::diskLight)
+    keys.put("radius", o.radius, usual.radius);
+  if (o.kind == ObjectKind::rectLight) keys.put("size", o.dimensions, usual.dimensions, 2);
+  if (o.kind != ObjectKind::environmentLight) return;
+  keys.put("horizon", o.horizon, usual.horizon);
+  keys.put("ground", o.ground, usual.ground);
+  keys.putText("file", o.imageFile);
+}
+
+void putCamera(Keys& keys, const sdk::ObjectRecord& o, const sdk::ObjectRecord& usual) {
+  keys.put("fovY", o.fovY, usual.fovY);
+  if (o.projection != usual.projection) keys.json["projection"] = kProjections[o.projection];
+  keys.put("orthographicHeight", o.orthographicHeight, usual.orthographicHeight);
+  keys.put("fNumber", o.fNumber, usual.fNumber);
+  keys.put("focusDistance", o.focusDistance, usual.focusDistance);
+}
+
 OrderedJson contentJson(const sdk::ObjectRecord& o) {
-  const sdk::ObjectRecord usual;
+  const sdk::ObjectRecord usual = usualOf(o.kind);
   Keys keys;
   switch (o.kind) {
     case ObjectKind::group:
@@ -133,14 +167,14 @@ OrderedJson contentJson(const sdk::ObjectRecord& o) {
     case ObjectKind::pointLight:
     case ObjectKind::spotLight:
     case ObjectKind::directionalLight:
-      keys.put("color", o.color, usual.color);
-      keys.put("intensity", o.intensity, usual.intensity);
-      if (o.kind != ObjectKind::spotLight) break;
-      keys.put("innerConeAngle", o.innerConeAngle, usual.innerConeAngle);
-      keys.put("outerConeAngle", o.outerConeAngle, usual.outerConeAngle);
+    case ObjectKind::sphereLight:
+    case ObjectKind::rectLight:
+    case ObjectKind::diskLight:
+    case ObjectKind::environmentLight:
+      putLight(keys, o, usual);
       break;
     case ObjectKind::camera:
-      keys.put("fovY", o.fovY, usual.fovY);
+      putCamera(keys, o, usual);
       break;
   }
   return keys.json;
@@ -158,10 +192,29 @@ OrderedJson objectJson(sdk::Host& host, const sdk::ObjectRecord& o) {
   keys.putFlag("visible", o.visible, 1);
   if (o.kind != ObjectKind::group) keys.json[kContents[std::uint32_t(o.kind)]] = contentJson(o);
   keys.putWhole("material", o.material, 0);
-  addExtras(
-      host, keys.json, o.extras,
-      {"id", "name", "parent", "translation", "rotation", "scale", "visible", "material", "sphere", "plane",
-       "box", "rect", "disk", "cylinder", "pointLight", "spotLight", "directionalLight", "camera"});
+  addExtras(host, keys.json, o.extras,
+            {"id",
+             "name",
+             "parent",
+             "translation",
+             "rotation",
+             "scale",
+             "visible",
+             "material",
+             "sphere",
+             "plane",
+             "box",
+             "rect",
+             "disk",
+             "cylinder",
+             "pointLight",
+             "spotLight",
+             "directionalLight",
+             "camera",
+             "sphereLight",
+             "rectLight",
+             "diskLight",
+             "environmentLight"});
   return keys.json;
 }
 
@@ -174,6 +227,8 @@ OrderedJson renderJson(const sdk::RenderSettingsRecord& r) {
   keys.putWhole("lightSamples", r.lightSamples, usual.lightSamples);
   keys.putFlag("russianRoulette", r.russianRoulette, usual.russianRoulette);
   keys.putFlag("errorMeter", r.errorMeter, usual.errorMeter);
+  keys.putFlag("energyCompensation", r.energyCompensation, usual.energyCompensation);
+  keys.put("clamp", r.clamp, usual.clamp);
   if (r.filter != usual.filter) keys.json["filter"] = kFilters[r.filter];
   keys.putWhole("seed", r.seed, usual.seed);
   return keys.json;
@@ -183,6 +238,8 @@ OrderedJson displayJson(const sdk::DisplaySettingsRecord& d) {
   const sdk::DisplaySettingsRecord usual;
   Keys keys;
   keys.put("exposure", d.exposure, usual.exposure);
+  keys.putFlag("physical", d.physical, usual.physical);
+  keys.put("ev100", d.ev100, usual.ev100);
   keys.putText("tonemapper", d.tonemapper, usual.tonemapper.view());
   for (std::uint64_t i = 0; i < d.parameterCount; ++i)
     keys.json["parameters"][d.parameters[i].id.str()] = number(float(d.parameters[i].value));

@@ -13,7 +13,7 @@ namespace steradian::sdk {
 
 inline constexpr std::uint32_t kMagic = 0x53545244;  // "STRD"
 inline constexpr std::uint32_t kMajor = 1;           // a host loads exactly its own major ...
-inline constexpr std::uint32_t kMinor = 0;           // ... and every minor up to its own
+inline constexpr std::uint32_t kMinor = 1;           // ... and every minor up to its own
 
 enum class Status : std::uint32_t { ok = 0, badInput = 1, failed = 2, cancelled = 3 };
 
@@ -41,7 +41,12 @@ enum class ObjectKind : std::uint32_t {
   pointLight = 7,
   spotLight = 8,
   directionalLight = 9,
-  camera = 10
+  camera = 10,
+  // since 1.1
+  sphereLight = 11,
+  rectLight = 12,
+  diskLight = 13,
+  environmentLight = 14
 };
 
 /// One node of the scene. Fields that its kind does not name are ignored.
@@ -57,15 +62,27 @@ struct ObjectRecord {
   double translation[3] = {0, 0, 0};  // metres; parentFromLocal = T * R * S
   double rotation[4] = {0, 0, 0, 1};  // unit quaternion x, y, z, w
   double scale[3] = {1, 1, 1};        // not 0
-  double radius = 1;                  // sphere, disk, cylinder
+  double radius = 1;                  // sphere, disk, cylinder; sphere and disk light
   double height = 2;                  // cylinder
-  double dimensions[3] = {2, 2, 2};   // box: full edge lengths; rect: x and z in [0] and [1]
-  double fovY = 0.7853982;            // camera: full vertical angle
-  float color[3] = {1, 1, 1};         // lights, >= 0
-  float intensity = 10;               // lights: cd (point, spot) or lx (directional)
-  float innerConeAngle = 0;           // spot: half angle of full intensity
+  double dimensions[3] = {2, 2, 2};  // box: full edge lengths; rect: x and z in [0] and [1]; rect light: x, y
+  double fovY = 0.7853982;           // camera: full vertical angle
+  float color[3] = {1, 1, 1};        // lights, >= 0
+  float intensity = 10;              // lights: cd (point, spot), lx (directional), nit (the others)
+  float innerConeAngle = 0;          // spot: half angle of full intensity
   float outerConeAngle = 0.7853982f;  // spot: half angle where it ends
+  // since 1.1
+  Text imageFile = {};            // environment: relative to the project's folder; empty = none
+  double orthographicHeight = 2;  // camera: full height of the view in metres
+  double fNumber = 0;             // camera: focal length / aperture diameter; 0 = pinhole
+  double focusDistance = 5;       // camera: metres along the view axis
+  std::uint32_t projection = 0;   // camera: 0 perspective, 1 orthographic
+  float temperature = 0;          // lights: kelvin, 1000..40000; 0 = off
+  float angularDiameter = 0;      // directional: radians
+  float horizon[3] = {1, 1, 1};   // environment: factors of its colour; the zenith has 1
+  float ground[3] = {1, 1, 1};
+  std::uint32_t reserved = 0;  // keeps the end free of padding: what comes next starts here
 };
+static_assert(sizeof(ObjectRecord) == 288);
 
 /// glTF 2.0 metallic-roughness with KHR_materials_specular's weight.
 struct MaterialRecord {
@@ -80,7 +97,16 @@ struct MaterialRecord {
   float ior = 1.5f;        // >= 1
   float emissionColor[3] = {1, 1, 1};
   float emissionLuminance = 0;  // nit
+  // since 1.1
+  std::uint32_t reserved = 0;             // was padding in 1.0, where old plugins leave anything
+  float transmission = 0;                 // share of the dielectric base
+  float attenuationColor[3] = {1, 1, 1};  // left of white light after attenuationDistance, (0, 1]
+  float attenuationDistance = 0;          // metres; 0 = clear
+  float clearcoat = 0;
+  float clearcoatRoughness = 0;
+  float edgeTint[3] = {1, 1, 1};  // metals: reflectance at 82 degrees beside Schlick's
 };
+static_assert(sizeof(MaterialRecord) == 128);
 
 struct RenderSettingsRecord {
   std::uint32_t size = sizeof(RenderSettingsRecord);
@@ -92,6 +118,9 @@ struct RenderSettingsRecord {
   std::uint32_t errorMeter = 1;
   std::uint32_t filter = 1;  // 0 box, 1 Blackman-Harris
   std::uint32_t seed = 0;
+  // since 1.1
+  std::uint32_t energyCompensation = 1;
+  float clamp = 0;  // most radiance of one sample beyond its first hit; 0 = off
 };
 
 /// One value of one parameter of a tonemapper. An array element: never grows.
@@ -108,6 +137,9 @@ struct DisplaySettingsRecord {
   float gamma = 2.2f;
   const ParameterValue* parameters = nullptr;
   std::uint64_t parameterCount = 0;
+  // since 1.1
+  std::uint32_t physical = 0;  // 1: exposure by ev100, before the stops
+  float ev100 = 0;             // exposure value at ISO 100
 };
 
 /// An array element: never grows.

@@ -81,6 +81,50 @@ TEST_F(Exr, TheSamePictureGivesTheSameBytesAtAnyTime) {
   EXPECT_EQ(first.find("202"), std::string::npos);
 }
 
+ImageLayer layerOf(const char* name, std::vector<std::string> channels, int width,
+                   std::vector<float> pixels) {
+  ImageLayer layer;
+  layer.name = name;
+  layer.pixels = {width, 1, int(channels.size()), std::move(pixels)};
+  layer.channelNames = std::move(channels);
+  return layer;
+}
+
+TEST_F(Exr, LayersComeBackBitForBitBesideThePicture) {
+  const std::vector<float> radiance{1, 2, 3, 4, 5, 70000};
+  std::vector<ImageLayer> layers;
+  layers.push_back(layerOf("albedo", {"R", "G", "B"}, 2, {.1f, .2f, .3f, .4f, .5f, 70001}));
+  layers.push_back(layerOf("depth", {"Z"}, 2, {1e30f, 16777215.0f}));
+  for (const double half : {0.0, 1.0}) {
+    ImageToSave image{.width = 2, .height = 1, .radiance = radiance.data()};
+    image.layers = layers;
+    const fs::path file = folder / "layers.exr";
+    stockPlugins().exportImage(image, file, {}, {{"half", half}});
+    const auto input = OIIO::ImageInput::create("openexr");
+    OIIO::ImageSpec spec;
+    ASSERT_TRUE(input && input->open(file.string(), spec)) << OIIO::geterror();
+    ASSERT_EQ(spec.channelnames,
+              (std::vector<std::string>{"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "depth.Z"}));
+    EXPECT_EQ(spec.channelformat(0), half != 0.0 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+    EXPECT_EQ(spec.channelformat(6), OIIO::TypeDesc::FLOAT);
+    std::vector<float> pixels(14);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 7, OIIO::TypeDesc::FLOAT, pixels.data())) << input->geterror();
+    const float blue = half != 0.0 ? 65504.0f : 70000.0f;
+    EXPECT_EQ(pixels,
+              (std::vector<float>{1, 2, 3, .1f, .2f, .3f, 1e30f, 4, 5, blue, .4f, .5f, 70001, 16777215.0f}));
+  }
+}
+
+TEST_F(Exr, ALayerOfAnotherSizeIsRefused) {
+  const std::vector<float> radiance(6);
+  const std::vector<ImageLayer> layers(1, layerOf("depth", {"Z"}, 1, {1}));
+  ImageToSave image{.width = 2, .height = 1, .radiance = radiance.data()};
+  image.layers = layers;
+  const auto [message, code] = faultOf([&] { stockPlugins().exportImage(image, folder / "a.exr"); });
+  EXPECT_EQ(code, ExitCode::badInput);
+  EXPECT_CONTAINS(message, "the layer depth does not fit the picture");
+}
+
 TEST_F(Exr, AnEmptyImageAndMissingPixelsAreRefused) {
   EXPECT_EQ(faultOf([&] { stockPlugins().exportImage({}, folder / "a.exr"); }).second, ExitCode::badInput);
   const auto [message, code] =

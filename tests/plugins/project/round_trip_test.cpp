@@ -27,9 +27,13 @@ class SceneMaker {
                     .lightSamples = int(1 + below(16)),
                     .russianRoulette = below(2) == 0,
                     .errorMeter = below(2) == 0,
+                    .energyCompensation = below(2) == 0,
+                    .clamp = below(2) ? float(spread(1e-3, 1e6)) : 0.0f,
                     .filter = PixelFilter(below(2)),
                     .seed = std::uint32_t(random_())};
     scene.display = {.exposure = float(real(-9, 9)),
+                     .physical = below(2) == 0,
+                     .ev100 = float(real(-9, 20)),
                      .tonemapper = "org.nowhere.tonemap.lost",
                      .parameters = {{"whitePoint", float(real(0, 9))}, {"Ünï \"code\"", -0.0f}},
                      .transfer = Transfer(below(2)),
@@ -65,6 +69,12 @@ class SceneMaker {
             .ior = float(real(1, 3)),
             .emissionColor = {unit(), 3.0f, unit()},
             .emissionLuminance = float(spread(1e-20, 1e9)),
+            .transmission = unit(),
+            .attenuationColor = {unit() + 1e-9f, 1.0f, 0.3f},
+            .attenuationDistance = below(2) ? float(spread(1e-9, 1e9)) : 0.0f,
+            .clearcoat = unit(),
+            .clearcoatRoughness = unit(),
+            .edgeTint = {unit(), 1.0f, 0.2f},
             .extras = below(2) ? R"({"coat":{"weight":0.30000000000000004}})" : ""};
   }
   Shape shape() {
@@ -85,8 +95,39 @@ class SceneMaker {
   }
   Light light() {
     Light out{.color = {float(real(0, 1)), 1.0f, 0.7f}, .intensity = float(spread(1e-30, 1e11))};
-    if (below(2)) out.kind = SpotLight{0.1f, float(real(0.2, 1.5))};
-    if (below(3) == 0) out.kind = DirectionalLight{};
+    if (below(2)) out.temperature = float(real(1000, 40000));
+    out.kind = lightKind();
+    return out;
+  }
+  decltype(Light::kind) lightKind() {
+    switch (below(8)) {
+      case 0:
+        return PointLight{};
+      case 1:
+        return SpotLight{0.1f, float(real(0.2, 1.5))};
+      case 2:
+        return DirectionalLight{};
+      case 3:
+        return DirectionalLight{float(real(0, 1.5))};
+      case 4:
+        return SphereLight{below(2) ? 0.25 : spread(1e-9, 1e9)};
+      case 5:
+        return RectLight{{below(2) ? 1.0 : spread(1e-9, 1e9), 1.0}};
+      case 6:
+        return DiskLight{below(2) ? 0.5 : spread(1e-9, 1e9)};
+      default:
+        return EnvironmentLight{.horizon = {float(real(0, 9)), 1.0f, 0.0f},
+                                .ground = below(2) ? glm::vec3(1.0f) : glm::vec3(0.0f, 0.1f, 0.2f),
+                                .file = below(2) ? "" : "maps/sky \"ü\".exr"};
+    }
+  }
+  Camera camera() {
+    Camera out{real(0.01, 3.1)};
+    if (below(2) == 0) return out;
+    out.projection = Projection(below(2));
+    out.orthographicHeight = spread(1e-9, 1e9);
+    out.fNumber = spread(0.1, 64);
+    out.focusDistance = spread(1e-3, 1e6);
     return out;
   }
   Object object(Id id, const Scene& scene) {
@@ -103,7 +144,7 @@ class SceneMaker {
         out.content = light();
         break;
       case 2:
-        out.content = Camera{real(0.01, 3.1)};
+        out.content = camera();
         break;
       default:
         break;
@@ -145,6 +186,52 @@ TEST_F(ProjectFile, RandomScenesComeBackEqualAndSaveToTheSameBytes) {
     stockPlugins().exportScene(loaded.scene, folder / "b.srad");
     ASSERT_EQ(readText(folder / "a.srad"), readText(folder / "b.srad"));
   }
+}
+
+TEST_F(ProjectFile, LightsOfTheDefaultSizeAreWrittenEmptyAndReadAlike) {
+  Scene scene;
+  for (const Light& light :
+       {Light{SphereLight{}}, Light{RectLight{}}, Light{DiskLight{}}, Light{EnvironmentLight{}}})
+    scene.objects.push_back({.id = Id{unsigned(scene.objects.size()) + 1}, .content = light});
+  scene.nextId = Id{5};
+  stockPlugins().exportScene(scene, folder / "a.srad");
+  for (const char* part :
+       {"\"sphereLight\": {}", "\"rectLight\": {}", "\"diskLight\": {}", "\"environmentLight\": {}"})
+    EXPECT_CONTAINS(readText(folder / "a.srad"), part);
+  EXPECT_TRUE(stockPlugins().importScene(folder / "a.srad").scene == scene);
+}
+
+TEST_F(ProjectFile, EveryNewKeyIsReadByItsName) {
+  writeText(folder / "a.srad", R"({"steradian": 1,
+    "render": {"energyCompensation": false, "clamp": 20},
+    "display": {"physical": true, "ev100": 9.5},
+    "materials": [{"id": 1, "transmission": 0.9, "attenuationColor": [0.5, 0.6, 0.7], "attenuationDistance": 0.1,
+      "clearcoat": 0.8, "clearcoatRoughness": 0.2, "edgeTint": [0.9, 0.8, 0.7]}],
+    "objects": [{"id": 2, "camera": {"projection": "orthographic", "orthographicHeight": 3, "fNumber": 1.4, "focusDistance": 2}},
+      {"id": 3, "directionalLight": {"angularDiameter": 0.0093, "temperature": 5778}},
+      {"id": 4, "sphereLight": {"radius": 2}}, {"id": 5, "rectLight": {"size": [3, 4]}}, {"id": 6, "diskLight": {"radius": 5}},
+      {"id": 7, "environmentLight": {"horizon": [1, 2, 3], "ground": [4, 5, 6], "file": "sky.exr", "intensity": 7}}]})");
+  const Scene s = stockPlugins().importScene(folder / "a.srad").scene;
+  EXPECT_FALSE(s.render.energyCompensation);
+  EXPECT_EQ(s.render.clamp, 20.0f);
+  EXPECT_TRUE(s.display.physical);
+  EXPECT_EQ(s.display.ev100, 9.5f);
+  const Material glass{.id = Id{1},
+                       .transmission = 0.9f,
+                       .attenuationColor = {0.5f, 0.6f, 0.7f},
+                       .attenuationDistance = 0.1f,
+                       .clearcoat = 0.8f,
+                       .clearcoatRoughness = 0.2f,
+                       .edgeTint = {0.9f, 0.8f, 0.7f}};
+  EXPECT_EQ(s.materials[0], glass);
+  EXPECT_EQ(std::get<Camera>(s.objects[0].content), (Camera{0.7853982, Projection::orthographic, 3, 1.4, 2}));
+  EXPECT_EQ(std::get<Light>(s.objects[1].content),
+            (Light{.kind = DirectionalLight{0.0093f}, .temperature = 5778.0f}));
+  EXPECT_EQ(std::get<Light>(s.objects[2].content), Light{SphereLight{2}});
+  EXPECT_EQ(std::get<Light>(s.objects[3].content), (Light{RectLight{{3, 4}}}));
+  EXPECT_EQ(std::get<Light>(s.objects[4].content), Light{DiskLight{5}});
+  EXPECT_EQ(std::get<Light>(s.objects[5].content),
+            (Light{.kind = EnvironmentLight{{1, 2, 3}, {4, 5, 6}, "sky.exr", nullptr}, .intensity = 7.0f}));
 }
 
 TEST_F(ProjectFile, KeepsTheSignOfZero) {

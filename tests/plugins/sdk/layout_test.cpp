@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstring>
 
 #include "steradian/plugin.hpp"
 
@@ -27,6 +28,66 @@ TEST(Layout, OfInterface10DoesNotMove) {
   EXPECT_EQ(sizeof(Key), 40u);
   EXPECT_EQ(offsetof(SceneRecord, extras), 40u);
   EXPECT_EQ(offsetof(ImageRecord, metadataCount), 40u);
+  EXPECT_EQ(offsetof(ImageRecord, layerCount), 56u);
+  EXPECT_EQ(sizeof(LayerRecord), 40u);
+}
+
+TEST(Layout, OfInterface11BeginsWhereInterface10Ended) {
+  EXPECT_EQ(offsetof(ObjectRecord, imageFile), 208u);
+  EXPECT_EQ(offsetof(ObjectRecord, ground), 272u);
+  EXPECT_EQ(sizeof(ObjectRecord), 288u);
+  EXPECT_EQ(offsetof(MaterialRecord, transmission), 88u);
+  EXPECT_EQ(offsetof(MaterialRecord, edgeTint), 116u);
+  EXPECT_EQ(sizeof(MaterialRecord), 128u);
+  EXPECT_EQ(offsetof(RenderSettingsRecord, energyCompensation), 36u);
+  EXPECT_EQ(offsetof(DisplaySettingsRecord, physical), 48u);
+}
+
+/// `Record` as a plugin of interface 1.0 makes it: `size` bytes long, garbage beyond.
+template <class Record>
+Record ofSize(Record record, std::uint32_t size) {
+  std::memset(reinterpret_cast<char*>(&record) + size, 0x5a, sizeof record - size);
+  record.size = size;
+  return record;
+}
+
+TEST(Layout, RecordsOfInterface10GetDefaultsForEveryNewField) {
+  ObjectRecord object{.id = 7, .kind = ObjectKind::camera};
+  object.outerConeAngle = 0.5f;
+  const ObjectRecord o = adopt(ofSize(object, 208));
+  EXPECT_EQ(o.outerConeAngle, 0.5f);
+  EXPECT_EQ(o.imageFile.size, 0u);
+  EXPECT_EQ(o.orthographicHeight, 2.0);
+  EXPECT_EQ(o.fNumber, 0.0);
+  EXPECT_EQ(o.focusDistance, 5.0);
+  EXPECT_EQ(o.projection, 0u);
+  EXPECT_EQ(o.temperature, 0.0f);
+  EXPECT_EQ(o.angularDiameter, 0.0f);
+  EXPECT_EQ(o.ground[2], 1.0f);
+  MaterialRecord material{.id = 8, .emissionLuminance = 3};
+  const MaterialRecord m = adopt(ofSize(material, 88));
+  EXPECT_EQ(m.emissionLuminance, 3.0f);
+  EXPECT_EQ(m.transmission, 0.0f);
+  EXPECT_EQ(m.attenuationColor[0], 1.0f);
+  EXPECT_EQ(m.attenuationDistance, 0.0f);
+  EXPECT_EQ(m.clearcoat, 0.0f);
+  EXPECT_EQ(m.clearcoatRoughness, 0.0f);
+  EXPECT_EQ(m.edgeTint[2], 1.0f);
+  const RenderSettingsRecord r = adopt(ofSize(RenderSettingsRecord{.seed = 9}, 36));
+  EXPECT_EQ(r.seed, 9u);
+  EXPECT_EQ(r.energyCompensation, 1u);
+  EXPECT_EQ(r.clamp, 0.0f);
+  const DisplaySettingsRecord d = adopt(ofSize(DisplaySettingsRecord{.exposure = 2}, 48));
+  EXPECT_EQ(d.exposure, 2.0f);
+  EXPECT_EQ(d.physical, 0u);
+  EXPECT_EQ(d.ev100, 0.0f);
+}
+
+TEST(Layout, WhatAnOldPluginLeavesInItsPaddingIsNotTakenForAValue) {
+  MaterialRecord material{.id = 8};
+  std::memset(reinterpret_cast<char*>(&material) + 84, 0xff, 4);
+  material.size = 88;
+  EXPECT_EQ(adopt(material).transmission, 0.0f);
 }
 
 TEST(Layout, ARecordFromAnOlderPluginGetsDefaultsForWhatItLacks) {
