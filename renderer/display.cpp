@@ -14,6 +14,13 @@ constexpr std::size_t maxParameters = std::size(decltype(gpu::DisplayParams::par
 // Until a tonemapper is set: the display's range as it is.
 const Tonemapper identity{"none", "vec3 tonemap(vec3 sceneLinear) { return sceneLinear; }\n", {}};
 
+/// Factor before the tonemapper: stops, and for a physical exposure the luminance that ISO 100 film of this
+/// EV saturates at, 1.2 * 2^EV100 (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", eq. 62).
+float exposureScaleOf(const DisplaySettings& settings) {
+  const float scale = std::exp2(settings.exposure);
+  return settings.physical ? scale * std::exp2(-settings.ev100) / 1.2f : scale;
+}
+
 }  // namespace
 
 std::string displaySource(const Tonemapper& tonemapper) {
@@ -59,7 +66,7 @@ gpu::DisplayParams Display::params(Extent film, PixelRect rect) const {
   p.rectHeight = float(rect.height);
   p.width = std::uint32_t(film.width);
   p.height = std::uint32_t(film.height);
-  p.exposureScale = std::exp2(settings_.exposure);
+  p.exposureScale = exposureScaleOf(settings_);
   p.transfer = std::uint32_t(settings_.transfer);
   p.inverseGamma = 1.0f / settings_.gamma;
   for (std::size_t i = 0; i < tonemapper_.parameters.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/error_meter.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/shader_code.hpp"
@@ -23,17 +23,12 @@ MeterReading ErrorMeter::read(const Film& film, bool errorMeter) {
   double sums[4] = {};
   for (std::size_t i = 0; i < rows.size(); ++i) sums[i % 4] += rows[i];
   const double pixels = double(film.pixels());
-  return {sums[0] / pixels,         sums[1] / pixels,       counters[COUNTER_NAN],
-          counters[COUNTER_FAULTS], std::uint64_t(sums[2]), std::uint64_t(sums[3])};
-}
-
-double SlopeTracker::add(std::uint64_t samples, double rmse) {
-  if (samples_ > 0 && samples < 2 * samples_) return slope_;
-  if (samples_ > 0 && rmse > 0.0 && rmse_ > 0.0)
-    slope_ = std::log(rmse / rmse_) / std::log(double(samples) / double(samples_));
-  samples_ = samples;
-  rmse_ = rmse;
-  return slope_;
+  const double cut =
+      (counters[COUNTER_CLAMPED_HIGH] * 4294967296.0 + counters[COUNTER_CLAMPED_LOW]) / CLAMPED_UNITS;
+  const FilmParams params = film.params(errorMeter);
+  const double samples = std::max(1.0, double(params.samplesA) + params.samplesB);
+  return {sums[0] / pixels,       sums[1] / pixels,       counters[COUNTER_NAN],   counters[COUNTER_FAULTS],
+          std::uint64_t(sums[2]), std::uint64_t(sums[3]), cut / (pixels * samples)};
 }
 
 }  // namespace steradian

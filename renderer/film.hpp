@@ -27,8 +27,8 @@ class Film {
   /// Throws Error(noDevice) when memory or one binding is too small for the extent.
   Film(const gpu::Device& device, Extent extent);
 
-  /// Bind with these scene rows (after each new row buffer).
-  void bind(const gpu::Buffer& rows);
+  /// Bind with these scene rows and tables (after each new buffer of either).
+  void bind(const gpu::Buffer& rows, const gpu::Buffer& tables);
   void clear(std::uint64_t firstSample);
 
   Extent extent() const { return extent_; }

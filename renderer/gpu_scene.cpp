@@ -7,7 +7,11 @@
 #include <cstring>
 #include <limits>
 
+#include "renderer/gpu_environment.hpp"
+#include "renderer/gpu_lights.hpp"
+#include "renderer/gpu_materials.hpp"
 #include "renderer/gpu_shapes.hpp"
+#include "renderer/light_tree.hpp"
 #include "renderer/pixel_filter.hpp"
 
 namespace steradian {
@@ -15,14 +19,29 @@ namespace {
 
 using namespace gpu;
 
-constexpr float mirrorAlpha = 1e-3f;  // MIRROR_ALPHA in bsdf.glsl
 // Planet-sized beside what stands on it, or in absolute terms: double-float needed.
 constexpr double largeRadiusMetres = 100.0, largeRadiusFactor = 1000.0;
 
+// The view's own field of view counts, not its camera's.
+double lensRadius(const CameraView& view) {
+  Camera lens = view.lens;
+  lens.fovY = view.fovY;
+  return apertureRadius(lens);
+}
+
+// Metres per pixel: at distance 1, or everywhere in parallel projection.
+double pixelScale(const CameraView& view, Extent film) {
+  if (view.lens.projection == Projection::orthographic) return view.lens.orthographicHeight / film.height;
+  return 2.0 * std::tan(0.5 * view.fovY) / film.height;
+}
+
 std::vector<glm::vec4> cameraRows(const CameraView& view) {
   const glm::dmat4& m = view.worldFromCamera;
-  return {glm::vec4(glm::vec3(m[0]), 0.0f), glm::vec4(glm::vec3(m[1]), 0.0f),
-          glm::vec4(glm::vec3(-m[2]), 0.0f)};
+  const Camera& lens = view.lens;
+  const bool parallel = lens.projection == Projection::orthographic;
+  return {glm::vec4(glm::vec3(m[0]), float(lensRadius(view))),
+          glm::vec4(glm::vec3(m[1]), float(lens.focusDistance)),
+          glm::vec4(glm::vec3(-m[2]), parallel ? 1.0f : 0.0f)};
 }
 
 std::vector<glm::vec4> tabulated(const std::vector<double>& table) {
@@ -37,42 +56,6 @@ const std::vector<glm::vec4>& filterRows(PixelFilter filter) {
   static const std::vector<glm::vec4> box = tabulated(boxInverseCdf(FILTER_ROWS));
   static const std::vector<glm::vec4> blackmanHarris = tabulated(blackmanHarrisInverseCdf(FILTER_ROWS));
   return filter == PixelFilter::box ? box : blackmanHarris;
-}
-
-std::uint32_t featuresOf(const Material& m) {
-  const float alpha = m.roughness * m.roughness;
-  const bool specular = m.metallic > 0.0f || m.specular > 0.0f;
-  return (m.metallic < 1.0f ? FEATURE_DIFFUSE : 0u) |
-         (specular && alpha >= mirrorAlpha ? FEATURE_GLOSSY : 0u) |
-         (specular && alpha < mirrorAlpha ? FEATURE_MIRROR : 0u) |
-         (m.emissionLuminance > 0.0f ? FEATURE_EMISSION : 0u);
-}
-
-void pushMaterial(std::vector<glm::vec4>& rows, const Material& m) {
-  const float ratio = (m.ior - 1.0f) / (m.ior + 1.0f);
-  const float dielectricF0 = m.specular * ratio * ratio;
-  rows.emplace_back(m.albedo, m.metallic);
-  rows.emplace_back(m.roughness * m.roughness, dielectricF0, m.specular, std::bit_cast<float>(featuresOf(m)));
-  rows.emplace_back(m.emissionColor * m.emissionLuminance, 0.0f);
-}
-
-std::uint32_t pushLight(std::vector<glm::vec4>& rows, const Light& light, const glm::dmat4& world,
-                        const glm::dvec3& origin) {
-  const glm::vec3 intensity = light.color * light.intensity;
-  const glm::vec3 position(glm::dvec3(world[3]) - origin);
-  const glm::vec3 axis(-glm::normalize(glm::dvec3(world[2])));
-  if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
-    const double cosOuter = std::cos(double(spot->outerConeAngle));
-    const double scale = 1.0 / std::max(1e-3, std::cos(double(spot->innerConeAngle)) - cosOuter);
-    rows.insert(rows.end(), {glm::vec4(position, float(LIGHT_SPOT)), glm::vec4(intensity, float(scale)),
-                             glm::vec4(axis, float(-cosOuter * scale))});
-    return FEATURE_SPOT_LIGHTS;
-  }
-  const bool directional = std::holds_alternative<DirectionalLight>(light.kind);
-  rows.emplace_back(directional ? -axis : position, float(directional ? LIGHT_DIRECTIONAL : LIGHT_POINT));
-  rows.emplace_back(intensity, 0.0f);
-  rows.emplace_back(0.0f);
-  return directional ? FEATURE_DIRECTIONAL_LIGHTS : FEATURE_POINT_LIGHTS;
 }
 
 struct Placed {
@@ -110,70 +93,119 @@ void appendShapes(GpuScene& out, const ShapeLists& lists) {
   }
 }
 
-std::vector<SurfaceLink> linksInOrder(const ShapeLists& lists) {
-  std::vector<SurfaceLink> links;
-  for (const ShapeList& list : lists.kinds) links.insert(links.end(), list.links.begin(), list.links.end());
-  if (links.empty()) links.push_back({Id::none, Id::none});  // an empty scene still reads a row
-  return links;
+void appendCamera(GpuScene& out, const Scene& scene, const CameraView& view, Extent film) {
+  out.origin = glm::dvec3(view.worldFromCamera[3]);
+  out.params.width = std::uint32_t(film.width);
+  out.params.height = std::uint32_t(film.height);
+  out.params.pixelScale = float(pixelScale(view, film));
+  out.rows = cameraRows(view);
+  const std::vector<glm::vec4>& filter = filterRows(scene.render.filter);
+  out.rows.insert(out.rows.end(), filter.begin(), filter.end());
+  if (scene.render.filter == PixelFilter::blackmanHarris) out.features |= FEATURE_FILTER_TABLE;
+  if (lensRadius(view) > 0.0) out.features |= FEATURE_LENS;
+  if (view.lens.projection == Projection::orthographic) out.features |= FEATURE_ORTHOGRAPHIC;
 }
 
-void appendSurfaces(GpuScene& out, const Scene& scene, const std::vector<SurfaceLink>& links) {
-  static const Material standard;
+// Materials and object ids in the order of the primitives; emissive ones join the lights.
+void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes, LightRows& lights) {
+  std::vector<glm::vec4> objects;
   out.params.materialRow = std::uint32_t(out.rows.size());
-  for (const SurfaceLink& link : links) {
-    const Material* material = findMaterial(scene, link.material);
-    pushMaterial(out.rows, material ? *material : standard);
-    out.features |= featuresOf(material ? *material : standard);
-  }
+  const auto append = [&](const SurfaceLink& link, int kind, const Placement& place) {
+    const Material material = materialOf(scene, link);
+    const std::uint32_t bits = materialBits(material, link);
+    const glm::vec3 radiance = material.emissionColor * material.emissionLuminance;
+    const bool emits = (bits & FEATURE_EMISSION) != 0 && radiance != glm::vec3(0.0f);
+    const std::uint32_t light =
+        emits ? lights.addEmitter(ShapeKind(kind), place, radiance, (bits & MATERIAL_ONE_SIDED) != 0,
+                                  std::uint32_t(objects.size()))
+              : NO_LIGHT;
+    pushMaterial(out.rows, material, bits, light);
+    out.features |= bits & ~MATERIAL_ONE_SIDED;
+    objects.emplace_back(std::bit_cast<float>(std::uint32_t(link.object)), 0.0f, 0.0f, 0.0f);
+  };
+  for (int kind = 0; kind < shapeKinds; ++kind)
+    for (std::size_t i = 0; i < shapes.kinds[kind].links.size(); ++i)
+      append(shapes.kinds[kind].links[i], kind, shapes.kinds[kind].places[i]);
+  if (objects.empty()) append({Id::none, Id::none}, planes, {});  // an empty scene still reads a row
   out.params.objectRow = std::uint32_t(out.rows.size());
-  for (const SurfaceLink& link : links)
-    out.rows.emplace_back(std::bit_cast<float>(std::uint32_t(link.object)), 0.0f, 0.0f, 0.0f);
+  out.rows.insert(out.rows.end(), objects.begin(), objects.end());
+}
+
+void appendLights(GpuScene& out, const LightRows& lights) {
+  const std::vector<glm::vec4> rows = lights.rows();
+  out.params.lightRow = std::uint32_t(out.rows.size());
+  out.params.lightCount = lights.count();
+  out.params.sunCount = lights.sunCount();
+  out.features |= lights.features();
+  out.rows.insert(out.rows.end(), rows.begin(), rows.end());
+  const std::vector<glm::vec4> tree = lightTreeRows(rows);
+  out.params.lightTreeRow = std::uint32_t(out.rows.size());
+  out.rows.insert(out.rows.end(), tree.begin(), tree.end());
+  if (out.params.lightCount > out.params.lightSamples) out.features |= FEATURE_LIGHT_TREE;
+}
+
+void appendEnvironment(GpuScene& out, const std::vector<Placed>& objects) {
+  const Light* light = nullptr;
+  glm::dmat4 world(1.0);
+  for (const Placed& p : objects) {
+    const auto* candidate = std::get_if<Light>(&p.object->content);
+    if (light || !candidate || !std::holds_alternative<EnvironmentLight>(candidate->kind)) continue;
+    light = candidate;
+    world = p.world;
+  }
+  out.params.environmentRow = std::uint32_t(out.rows.size());
+  const std::vector<glm::vec4> rows = environmentRows(light, world);
+  out.rows.insert(out.rows.end(), rows.begin(), rows.end());
+  if (!light) return;
+  out.environment = std::get<EnvironmentLight>(light->kind).image;
+  out.params.flags |= TRACE_ENVIRONMENT;
+  out.features |= out.environment ? FEATURE_ENVIRONMENT | FEATURE_ENVIRONMENT_IMAGE : FEATURE_ENVIRONMENT;
 }
 
 void applySettings(GpuScene& out, const RenderSettings& s) {
   out.params.seed = s.seed;
   out.params.maxBounces = std::uint32_t(std::clamp(s.maxBounces, 0, 64));
   out.params.lightSamples = std::uint32_t(std::clamp(s.lightSamples, 1, int(MAX_LIGHT_SAMPLES)));
-  out.params.flags =
-      (s.errorMeter ? TRACE_ERROR_METER : 0u) | (s.russianRoulette ? TRACE_RUSSIAN_ROULETTE : 0u);
-  if (s.filter == PixelFilter::blackmanHarris) out.features |= FEATURE_FILTER_TABLE;
+  out.params.clampRadiance = s.clamp;
+  out.params.flags = (s.errorMeter ? TRACE_ERROR_METER : 0u) |
+                     (s.russianRoulette ? TRACE_RUSSIAN_ROULETTE : 0u) |
+                     (s.energyCompensation ? TRACE_COMPENSATION : 0u);
+  constexpr std::uint32_t roulettesFirstBounce = 3;  // path_trace.comp
+  if (s.russianRoulette && out.params.maxBounces > roulettesFirstBounce) out.features |= FEATURE_ROULETTE;
+  if (s.energyCompensation) out.features |= FEATURE_COMPENSATION;
+  if (s.clamp > 0.0f) out.features |= FEATURE_CLAMP;
 }
 
 }  // namespace
 
 bool GpuScene::sameRadiance(const GpuScene& other) const {
-  return rows.size() == other.rows.size() && features == other.features &&
+  return rows.size() == other.rows.size() && features == other.features && environment == other.environment &&
          std::memcmp(&params, &other.params, sizeof params) == 0 &&
          std::memcmp(rows.data(), other.rows.data(), rows.size() * sizeof(glm::vec4)) == 0;
 }
 
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
   GpuScene out;
-  out.origin = glm::dvec3(view.worldFromCamera[3]);
-  out.params.width = std::uint32_t(film.width);
-  out.params.height = std::uint32_t(film.height);
-  out.params.pixelScale = float(2.0 * std::tan(0.5 * view.fovY) / film.height);
-  out.rows = cameraRows(view);
-  const std::vector<glm::vec4>& filter = filterRows(scene.render.filter);
-  out.rows.insert(out.rows.end(), filter.begin(), filter.end());
-
+  applySettings(out, scene.render);
+  appendCamera(out, scene, view, film);
   const std::vector<Placed> objects = visibleObjects(scene);
   const double largeRadius = largeRadiusOf(objects);
   ShapeLists shapes;
-  std::vector<glm::vec4> lights;
+  LightRows lights;
   for (const Placed& p : objects) {
     if (const auto* g = std::get_if<Geometry>(&p.object->content)) {
       shapes.add(g->shape, p.world, out.origin, {g->material, p.object->id}, largeRadius);
     } else if (const auto* light = std::get_if<Light>(&p.object->content)) {
-      out.features |= pushLight(lights, *light, p.world, out.origin);
+      shapes.addLight(*light, p.world, out.origin, p.object->id, largeRadius);
+      lights.addPunctual(*light, p.world, out.origin);
     }
   }
   appendShapes(out, shapes);
-  appendSurfaces(out, scene, linksInOrder(shapes));
-  out.params.lightRow = std::uint32_t(out.rows.size());
-  out.params.lightCount = std::uint32_t(lights.size() / LIGHT_ROWS);
-  out.rows.insert(out.rows.end(), lights.begin(), lights.end());
-  applySettings(out, scene.render);
+  appendSurfaces(out, scene, shapes, lights);
+  appendLights(out, lights);
+  appendEnvironment(out, objects);
+  constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
+  if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
   return out;
 }
 

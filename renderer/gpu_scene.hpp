@@ -3,6 +3,7 @@
 // last step.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -18,6 +19,7 @@ struct GpuScene {
   gpu::TraceParams params{};   // counts, table rows and settings; rows and samples of a dispatch left 0
   std::uint32_t features = 0;  // FEATURE_* bits that this scene needs
   glm::dvec3 origin{0.0};      // world position of the rows' origin (the camera)
+  std::shared_ptr<const Image> environment;  // whose tables the shaders read; null = none
 
   bool sameRadiance(const GpuScene& other) const;
 };

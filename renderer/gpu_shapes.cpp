@@ -11,9 +11,10 @@ glm::vec4 row(const glm::dvec3& v, double w) {
   return glm::vec4(glm::vec3(v), float(w));
 }
 
-void push(ShapeList& list, std::initializer_list<glm::vec4> rows, SurfaceLink link) {
+void push(ShapeList& list, std::initializer_list<glm::vec4> rows, SurfaceLink link, const Placement& place) {
   list.rows.insert(list.rows.end(), rows);
   list.links.push_back(link);
+  list.places.push_back(place);
 }
 
 // Rows of the 3x3 that maps a camera-relative world offset to the unit shape, with the centre beside it.
@@ -22,7 +23,8 @@ void pushAffine(ShapeList& list, const glm::dmat3& worldFromUnit, const glm::dve
   const double determinant = glm::determinant(worldFromUnit);
   if (!std::isfinite(determinant) || determinant == 0.0) return;
   const glm::dmat3 byRow = glm::transpose(glm::inverse(worldFromUnit));
-  push(list, {row(byRow[0], centre.x), row(byRow[1], centre.y), row(byRow[2], centre.z)}, link);
+  push(list, {row(byRow[0], centre.x), row(byRow[1], centre.y), row(byRow[2], centre.z)}, link,
+       {worldFromUnit, centre});
 }
 
 glm::dmat3 scaled(const glm::dmat3& m, const glm::dvec3& size) {
@@ -33,9 +35,11 @@ void pushSphere(ShapeLists& lists, double radius, const glm::dvec3& centre, Surf
                 double largeRadius) {
   if (!(radius > 0.0)) return;
   const glm::vec4 high = row(centre, radius);
-  if (radius < largeRadius) return push(lists.kinds[spheres], {high}, link);
+  const Placement place{glm::dmat3(radius), centre};
+  if (radius < largeRadius) return push(lists.kinds[spheres], {high}, link, place);
   // What float rounded away, so that shaders see the centre and radius as double-floats.
-  push(lists.kinds[largeSpheres], {high, row(centre - glm::dvec3(high), radius - double(high.w))}, link);
+  push(lists.kinds[largeSpheres], {high, row(centre - glm::dvec3(high), radius - double(high.w))}, link,
+       place);
 }
 
 void pushPlane(ShapeLists& lists, const glm::dmat3& m, const glm::dvec3& point, SurfaceLink link) {
@@ -43,7 +47,7 @@ void pushPlane(ShapeLists& lists, const glm::dmat3& m, const glm::dvec3& point, 
   const double length = glm::length(up);
   if (!std::isfinite(length) || length == 0.0) return;
   const glm::vec3 n(up / length);  // D for the normal as it is stored
-  push(lists.kinds[planes], {row(glm::dvec3(n), glm::dot(point, glm::dvec3(n)))}, link);
+  push(lists.kinds[planes], {row(glm::dvec3(n), glm::dot(point, glm::dvec3(n)))}, link, {m, point});
 }
 
 }  // namespace
@@ -69,6 +73,20 @@ void ShapeLists::add(const Shape& shape, const glm::dmat4& worldFromObject, cons
   } else if (const auto* c = std::get_if<Cylinder>(&shape)) {
     pushAffine(kinds[cylinders], scaled(m, {c->radius, c->height * 0.5, c->radius}), centre, link);
   }
+}
+
+void ShapeLists::addLight(const Light& light, const glm::dmat4& worldFromObject, const glm::dvec3& origin,
+                          Id object, double largeRadius) {
+  const SurfaceLink link{Id::none, object, &light};
+  // Flat lights shine along -Z, flat shapes face +Y: turn the one into the other, keeping X.
+  const glm::dmat4& w = worldFromObject;
+  const glm::dmat4 facing(w[0], -w[2], w[1], w[3]);
+  if (const auto* s = std::get_if<SphereLight>(&light.kind))
+    add(Sphere{s->radius}, worldFromObject, origin, link, largeRadius);
+  else if (const auto* r = std::get_if<RectLight>(&light.kind))
+    add(Rect{r->size}, facing, origin, link, largeRadius);
+  else if (const auto* d = std::get_if<DiskLight>(&light.kind))
+    add(Disk{d->radius}, facing, origin, link, largeRadius);
 }
 
 std::optional<double> sphereRadius(const Sphere& sphere, const glm::dmat4& worldFromObject) {

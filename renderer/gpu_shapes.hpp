@@ -11,11 +11,19 @@ namespace steradian {
 struct SurfaceLink {
   Id material;
   Id object;
+  const Light* light = nullptr;  // the primitive is this area light's body
+};
+
+/// Where a primitive is: its unit shape in camera-relative world axes.
+struct Placement {
+  glm::dmat3 worldFromUnit;
+  glm::dvec3 centre;
 };
 
 struct ShapeList {
   std::vector<glm::vec4> rows;
   std::vector<SurfaceLink> links;  // one per primitive
+  std::vector<Placement> places;   // one per primitive
 };
 
 /// Kinds in upload order.
@@ -27,6 +35,9 @@ struct ShapeLists {
   /// skipped.
   void add(const Shape& shape, const glm::dmat4& worldFromObject, const glm::dvec3& origin, SurfaceLink link,
            double largeRadius);
+  /// The body of a sphere, rect or disk light; nothing for others.
+  void addLight(const Light& light, const glm::dmat4& worldFromObject, const glm::dvec3& origin, Id object,
+                double largeRadius);
 };
 
 /// World radius of a sphere under a uniformly scaling transform; nothing when it is stretched to an

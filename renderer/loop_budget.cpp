@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "renderer/gpu_environment.hpp"
+#include "renderer/light_tree.hpp"
+
 namespace steradian {
 namespace {
 
@@ -14,13 +17,20 @@ std::uint64_t primitives(const gpu::TraceParams& p) {
 }  // namespace
 
 std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples) {
-  constexpr std::uint64_t loopsPerTraversal = 8;  // each kind's loop also counts its last, failing test
+  // Every loop also counts its last, failing test; the generic variant makes that test of all loops.
+  constexpr std::uint64_t loopsPerTraversal = 8;
   const std::uint64_t traversal = primitives(params) + loopsPerTraversal;
-  return 1 + traversal * (1 + lightSamples) + lightSamples + 1;
+  const bool sky = (params.flags & gpu::TRACE_ENVIRONMENT) != 0;
+  const bool someLights = params.lightCount > lightSamples;
+  const std::uint64_t choice = (someLights ? lightTreeDepth(params.lightCount) : 0) + 1;
+  const std::uint64_t lights = lightSamples * (1 + choice + traversal) + 1;
+  const std::uint64_t environment = environmentIterations + (sky ? traversal : loopsPerTraversal);
+  const std::uint64_t metLights = choice + params.sunCount * (1 + choice) + 1;
+  return 1 + traversal + lights + environment + metLights;
 }
 
 LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget) {
-  const std::uint64_t vertices = params.maxBounces + 1;
+  const std::uint64_t vertices = params.maxBounces + ((params.flags & gpu::TRACE_MET_LIGHTS) != 0 ? 2 : 1);
   LoopPlan plan;
   plan.lightSamples = std::min(params.lightSamples, std::max(params.lightCount, 1u));
   while (plan.lightSamples > 1 && iterationsPerVertex(params, plan.lightSamples) * vertices > budget)

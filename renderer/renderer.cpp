@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "renderer/energy_table.hpp"
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/render_target.hpp"
+#include "renderer/gpu_environment.hpp"
 #include "renderer/renderer_impl.hpp"
 #include "renderer/shader_code.hpp"
 
@@ -17,6 +19,22 @@ namespace {
 
 std::uint64_t loopBudgetOf(const Device& device) {
   return device.description().type == "CPU" ? cpuDriverLoopBudget : gpuLoopBudget;
+}
+
+std::uint32_t ablationFlags(const Ablation& a) {
+  return (a.lightSampling ? 0u : TRACE_NO_LIGHT_SAMPLING) | (a.lightHits ? 0u : TRACE_NO_BSDF_HITS) |
+         (a.owenSobol ? 0u : TRACE_INDEPENDENT_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS);
+}
+
+Buffer makeTables(const Device& device, const Image* environment) {
+  std::vector<glm::vec4> rows = energyTable();
+  if (environment) {
+    const std::vector<glm::vec4> sky = environmentTables(*environment);
+    rows.insert(rows.end(), sky.begin(), sky.end());
+  }
+  Buffer tables(device, BufferKind::upload, rows.size() * sizeof(glm::vec4), "tables");
+  tables.writeRows(0, std::span<const glm::vec4>(rows));
+  return tables;
 }
 
 }  // namespace
@@ -38,17 +56,21 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
   // Everything that can fail comes before anything is replaced.
   auto freshFilm = newFilm ? std::make_shared<Film>(*device, extent) : film;
   Buffer freshRows = newRows ? Buffer(*device, BufferKind::upload, std::bit_ceil(bytes), "scene") : Buffer();
+  const bool newTables = !tables || next.environment != scene.environment;
+  Buffer freshTables = newTables ? makeTables(*device, next.environment.get()) : Buffer();
   if (newFilm) {
     preview.reset();
     showPreview = false;
   }
   film = std::move(freshFilm);
   if (newRows) rows = std::move(freshRows);
+  if (newTables) tables = std::move(freshTables);
   rows.writeRows(0, std::span<const glm::vec4>(next.rows));
-  if (newFilm || newRows) film->bind(rows);
-  if (newRows && preview) preview->bind(rows);
+  if (newFilm || newRows || newTables) film->bind(rows, tables);
+  if ((newRows || newTables) && preview) preview->bind(rows, tables);
   scene = std::move(next);
   plan = nextPlan;
+  tracer.sceneChanged(double(iterationsPerVertex(scene.params, plan.lightSamples)));
   restart();
 }
 
@@ -68,8 +90,16 @@ Film& Renderer::Impl::currentFilm() {
   return *film;
 }
 
+VariantKey Renderer::Impl::neededVariant() const {
+  VariantKey key = variantFor(scene, plan.lightSamples);
+  key.ablation = ablation != Ablation{};
+  return key;
+}
+
 const ComputePass& Renderer::Impl::tracePass() {
-  const Variants::Choice choice = variants.choose(variantFor(scene));
+  const VariantKey needed = neededVariant();
+  if (needed.ablation) variants.waitFor(needed);  // the generic one does not obey
+  const Variants::Choice choice = variants.choose(needed);
   stats.variant = describeVariant(choice.key);
   return *choice.pass;
 }
@@ -105,7 +135,7 @@ bool Renderer::Impl::tracePreview(double budgetMs) {
                       std::max(1, film->extent().height / factor)};
   if (!preview || preview->extent() != coarse) {
     preview = std::make_shared<Film>(*device, coarse);
-    preview->bind(rows);
+    preview->bind(rows, tables);
   }
   preview->clear(sampleBegin);
   GpuScene coarseScene = scene;
@@ -135,6 +165,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::setScene(const Scene& scene, const CameraView& view, Extent film) {
   GpuScene next = packScene(scene, view, film);
+  next.params.flags |= ablationFlags(impl_->ablation);
   const bool sameFilm = impl_->film && impl_->film->extent() == film;
   if (sameFilm && next.sameRadiance(impl_->scene)) return;
   impl_->upload(std::move(next), film);
@@ -158,11 +189,22 @@ void Renderer::setSampleRange(std::uint64_t begin, std::uint64_t end) {
   impl_->restart();
 }
 
+void Renderer::extendSamples(std::uint64_t end) {
+  impl_->sampleEnd = std::min<std::uint64_t>(end, 0xffffffffu);
+}
+
 void Renderer::allowSpecialization(bool allow) {
   impl_->variants.allowSpecial(allow);
 }
+void Renderer::setAblation(const Ablation& ablation) {
+  if (ablation == impl_->ablation) return;
+  impl_->scene.params.flags &= ~ablationFlags({false, false, false, false});
+  impl_->scene.params.flags |= ablationFlags(ablation);
+  impl_->ablation = ablation;
+  impl_->restart();
+}
 void Renderer::waitForSpecialization() {
-  impl_->variants.waitFor(variantFor(impl_->scene));
+  impl_->variants.waitFor(impl_->neededVariant());
 }
 
 bool Renderer::trace(double budgetMs) {
@@ -185,6 +227,7 @@ ErrorEstimate Renderer::measureError() {
   RenderStats& stats = impl_->stats;
   stats.nanSamples = r.nan;
   stats.faults = r.faults;
+  stats.clampedRadiance = r.clampedRadiance;
   stats.raysClosest = r.raysClosest;
   stats.raysShadow = r.raysShadow;
   if (stats.traceSeconds > 0.0)
@@ -194,7 +237,9 @@ ErrorEstimate Renderer::measureError() {
   if (!e.valid) return e;
   e.rmse = std::sqrt(r.meanSquare);
   e.relRmse = std::sqrt(r.meanRelativeSquare);
-  e.slope = impl_->slope.add(stats.samples, e.rmse);
+  impl_->slope.add(stats.samples, e.rmse);
+  e.slope = impl_->slope.slope();
+  e.doublings = impl_->slope.doublings();
   return e;
 }
 

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/image.hpp"
+#include "renderer/aov.hpp"
 #include "renderer/scene/error.hpp"
+#include "renderer/scene/image.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace steradian {
@@ -51,17 +52,29 @@ DeviceDescription describe(const gpu::Device& device);
 /// Validation messages since start (warnings and errors). 0 is a promise.
 int validationMessages(const gpu::Device& device);
 
+struct FilmSums;
+
 struct Extent {
   int width = 0, height = 0;
   bool operator==(const Extent&) const = default;
+};
+
+/// How much of the squared error the worst pixels carry: fireflies are few pixels with most of it.
+struct ErrorTails {
+  double share = 0.0;        // of the total squared error, 0..1
+  std::uint64_t pixels = 0;  // that carry it: the worst 0.1 %; 0 = not measured
+  bool heavy = false;        // the error falls slower than it should, and these pixels are why
+  bool operator==(const ErrorTails&) const = default;
 };
 
 /// How wrong the picture still is, from the two half-buffers (accuracy: image-level figures only).
 struct ErrorEstimate {
   double rmse = 0.0;     // scene-linear, over pixels and channels
   double relRmse = 0.0;  // sqrt(mean((estimate - truth)^2 / (estimate^2 + 0.01)))
-  double slope = 0.0;    // d log RMSE / d log samples since the last doubling; 0 = not known yet
+  double slope = 0.0;    // d log RMSE / d log samples over the last doublings; 0 = not known yet
   bool valid = false;    // both halves hold samples
+  int doublings = 0;     // of the sample count that the slope stands on
+  ErrorTails tails;      // by measureTails()
 };
 
 struct VariantInfo {
@@ -74,13 +87,24 @@ struct RenderStats {
   std::uint64_t samples = 0;  // per pixel, complete over the whole film
   std::uint64_t raysClosest = 0, raysShadow = 0;
   std::uint64_t nanSamples = 0;  // dropped and counted
-  std::uint64_t faults = 0;   // samples that met a feature left out or ran out of loop budget: 0 is a promise
-  double traceSeconds = 0.0;  // device time when timestamps exist, else wall time of the dispatches
-  double msPerSample = 0.0;   // of the whole film, recent average
-  double mraysPerSecond = 0.0;  // closest + shadow, recent average
-  double compileSeconds = 0.0;  // of pipelines, in all
+  std::uint64_t faults = 0;  // samples that met a feature left out or ran out of loop budget: 0 is a promise
+  double clampedRadiance = 0.0;  // nit that clamping cut off, mean over the picture; 0 when it is off
+  double traceSeconds = 0.0;     // device time when timestamps exist, else wall time of the dispatches
+  double msPerSample = 0.0;      // of the whole film, recent average
+  double mraysPerSecond = 0.0;   // closest + shadow, recent average
+  double compileSeconds = 0.0;   // of pipelines, in all
   ErrorEstimate error;
   VariantInfo variant;
+};
+
+/// Methods that a measurement may switch off to find out what they are worth. The expected picture stays the
+/// same; only its noise changes.
+struct Ablation {
+  bool lightSampling = true;  // area lights and sky are sampled; off = met by paths alone
+  bool lightHits = true;      // they count when paths meet them; off = sampled alone
+  bool owenSobol = true;      // off = independent random numbers
+  bool lightTree = true;      // off = uniform choice among many lights
+  bool operator==(const Ablation&) const = default;
 };
 
 struct PickResult {
@@ -121,8 +145,12 @@ class Renderer {
   /// Only the sample indices [begin, end) are ever traced; default all, that is 2^32 - 1. Starts over.
   /// Throws Error(usage) when the range is empty.
   void setSampleRange(std::uint64_t begin, std::uint64_t end);
+  /// Go on to sample index `end` without starting over; what is accumulated beyond it stays.
+  void extendSamples(std::uint64_t end);
   /// Specialized pipelines may be compiled on a worker thread and swapped in; off = stay generic. Default on.
   void allowSpecialization(bool allow);
+  /// Default: everything on. Starts over when it changes.
+  void setAblation(const Ablation& ablation);
   /// Block until the special pipeline for this scene runs (stills and benches).
   void waitForSpecialization();
 
@@ -141,6 +169,17 @@ class Renderer {
   Image radiance();
   /// Means of the two half-buffers (tests and merges).
   std::pair<Image, Image> halves();
+  /// The accumulated sums without loss (parts of a still that are merged later).
+  FilmSums filmSums();
+  /// Reads the half-buffers back and updates stats().error.tails: costs a transfer of the film.
+  ErrorTails measureTails();
+  /// Some rows hold more samples than others: a pass over the film is under way.
+  bool midPass() const;
+  /// Equal for pictures that differ in their sample indices only: scene, view, size, settings and seed.
+  std::uint64_t sceneFingerprint() const;
+  /// Further layers of the picture, in the order asked for: from the film, or by tracing camera rays now.
+  /// Throws Error(usage) when the variance is asked for without the meter.
+  std::vector<AovLayer> aovs(const AovRequest& request);
   /// Display-encoded [0, 1], 3 channels, made by the same pass that draws the viewport.
   Image displayed();
 

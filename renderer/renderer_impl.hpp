@@ -22,6 +22,7 @@ struct Renderer::Impl {
   bool traceFilm(double budgetMs);
   bool tracePreview(double budgetMs);
   int previewFactor(double budgetMs) const;
+  VariantKey neededVariant() const;
   const gpu::ComputePass& tracePass();
   void updateTiming();
   /// What should be on screen: the preview until the film has a whole pass.
@@ -37,9 +38,10 @@ struct Renderer::Impl {
   gpu::ComputePass resolve, pick;
   Display display;
 
+  Ablation ablation;
   GpuScene scene;
   LoopPlan plan;
-  gpu::Buffer rows;
+  gpu::Buffer rows, tables;
   std::shared_ptr<Film> film, preview;
   ResolvedPicture picture;  // for stills and read-back
   bool stale = true;        // the film's samples belong to an older scene

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/film.hpp"
-#include "renderer/image.hpp"
+#include "renderer/scene/image.hpp"
 
 namespace steradian {
 

@@ -3,6 +3,7 @@
 
 namespace steradian {
 namespace {
+#include "shaders/aov.comp.h"
 #include "shaders/display.frag.text.h"
 #include "shaders/display.vert.h"
 #include "shaders/gpu_types.h.text.h"
@@ -23,6 +24,9 @@ std::span<const std::uint32_t> meterSpirv() {
 }
 std::span<const std::uint32_t> pickSpirv() {
   return pick_comp_spirv;
+}
+std::span<const std::uint32_t> aovSpirv() {
+  return aov_comp_spirv;
 }
 std::span<const std::uint32_t> displayVertexSpirv() {
   return display_vert_spirv;

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/convergence.hpp"
+
 namespace steradian {
 
 namespace {
@@ -13,15 +15,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Error falls as samples^-exponent: 1/2 for independent samples, up to 1 for smooth pixels under Owen-Sobol.
-double exponentOf(const ErrorEstimate& error) {
-  return error.slope < 0.0 ? std::clamp(-error.slope, 0.5, 1.0) : 0.5;
-}
-
-double samplesNeeded(std::uint64_t samples, const ErrorEstimate& error, double target) {
-  return double(samples) * std::pow(error.relRmse / target, 1.0 / exponentOf(error));
 }
 
 /// How far each condition has come, and when it will be met at the present pace.
@@ -65,12 +58,19 @@ std::uint64_t lastSample(const StillRequest& request) {
   return request.sampleBegin + std::min(count, request.spp.value_or(count));
 }
 
+/// Until every row holds the same samples.
+void finishPass(Renderer& renderer, double batchMs) {
+  while (renderer.midPass() && renderer.trace(batchMs)) {
+  }
+}
+
 }  // namespace
 
 std::uint64_t nextMeasurement(std::uint64_t samples, const ErrorEstimate& last, double targetRelRmse) {
   if (samples < 2) return 2;
   const std::uint64_t atMost = samples * 2, atLeast = samples + std::max<std::uint64_t>(1, samples / 16);
   if (!last.valid || !(last.relRmse > 0.0)) return atMost;
+  if (!(targetRelRmse > 0.0)) return atMost;
   const double needed = samplesNeeded(samples, last, targetRelRmse);
   if (!(needed < double(atMost))) return atMost;
   return std::clamp(std::uint64_t(std::ceil(needed)), atLeast, atMost);
@@ -91,11 +91,11 @@ StillResult renderStill(Renderer& renderer, const StillRequest& request, const S
     const std::uint64_t samples = renderer.stats().samples;
     if (result.secondsToFirstPixel == 0.0) result.secondsToFirstPixel = secondsSince(start);
 
-    // Measure, only as often as the decision needs
-    if (request.untilRelRmse && samples >= measureAt) {
+    // Measure at the doublings, for the slope, and as often as the decision needs
+    if (samples >= measureAt) {
       error = renderer.measureError();
       conditions.measured(samples);
-      measureAt = nextMeasurement(samples, error, *request.untilRelRmse);
+      measureAt = nextMeasurement(samples, error, request.untilRelRmse.value_or(0.0));
     }
     const double seconds = secondsSince(start);
     if (callbacks.progress) callbacks.progress(conditions.progress(samples, seconds, error));
@@ -112,7 +112,9 @@ StillResult renderStill(Renderer& renderer, const StillRequest& request, const S
       break;
     }
   }
+  if (request.wholePasses) finishPass(renderer, request.batchMs);
   renderer.measureError();
+  renderer.measureTails();
   result.stats = renderer.stats();
   result.seconds = secondsSince(start);
   return result;

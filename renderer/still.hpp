@@ -17,6 +17,7 @@ struct StillRequest {
   std::optional<double> untilSeconds;  // wall time from the call; one whole sample is always finished
   std::uint64_t sampleBegin = 0;       // only sample indices of [sampleBegin, sampleEnd) are traced
   std::uint64_t sampleEnd = std::numeric_limits<std::uint32_t>::max();  // all that the sampler has
+  bool wholePasses = false;  // end with the same samples in every row, however early the end (parts)
   double batchMs =
       200.0;  // the longest dispatch; the first ones are shorter, so that a first pixel comes soon
 };
@@ -49,7 +50,8 @@ StillResult renderStill(Renderer& renderer, const StillRequest& request,
                         const StillCallbacks& callbacks = {});
 
 /// The sample count at which to measure the error next, given the last figure at `samples`: about every
-/// doubling while far from the target, closer near it, so that a render overshoots by a tenth at most.
+/// doubling while far from the target (0 = none), closer near it, so that a render overshoots by a tenth at
+/// most.
 std::uint64_t nextMeasurement(std::uint64_t samples, const ErrorEstimate& last, double targetRelRmse);
 
 }  // namespace steradian

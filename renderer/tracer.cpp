@@ -27,6 +27,12 @@ void CostModel::learn(double milliseconds, double pixelSamples) {
   learned_ = true;
 }
 
+void CostModel::expect(double iterationsPerVertex) {
+  msPerMegasample_ *= iterationsPerVertex / iterations_;
+  iterations_ = iterationsPerVertex;
+  learned_ = false;
+}
+
 Tracer::Tracer(const Device& device)
     : device_(device), commands_(device, QueueKind::compute), cost_(device.description().type == "CPU") {}
 

@@ -15,10 +15,12 @@ class CostModel {
   explicit CostModel(bool cpuDevice) : msPerMegasample_(cpuDevice ? 60.0 : 1.0) {}
   double msPerMegasample() const { return msPerMegasample_; }
   void learn(double milliseconds, double pixelSamples);
-  /// A new scene may cost more or less: trust the old figure only as a start.
-  void forget() { learned_ = false; }
+  /// A new scene: what it will cost is guessed from its loop iterations per vertex, so that the first
+  /// dispatch of a heavy one stays short.
+  void expect(double iterationsPerVertex);
 
  private:
+  double iterations_ = 60.0;
   double msPerMegasample_;
   bool learned_ = false;
 };
@@ -37,7 +39,7 @@ class Tracer {
   bool step(Film& film, const gpu::ComputePass& pass, const GpuScene& scene, const LoopPlan& plan,
             std::uint64_t sampleEnd, double budgetMs);
   const CostModel& cost() const { return cost_; }
-  void sceneChanged() { cost_.forget(); }
+  void sceneChanged(double iterationsPerVertex) { cost_.expect(iterationsPerVertex); }
   TraceTotals totals;
 
  private:

@@ -19,6 +19,7 @@ std::vector<Specialization> constantsOf(const VariantKey& key) {
   constants.push_back({CONSTANT_FIXED_SPHERES, key.fixedSpheres});
   constants.push_back({CONSTANT_FIXED_PLANES, key.fixedPlanes});
   constants.push_back({CONSTANT_FIXED_LIGHTS, key.fixedLights});
+  constants.push_back({CONSTANT_ABLATION, key.ablation ? 1u : 0u});
   return constants;
 }
 
@@ -41,17 +42,20 @@ void dispatchNothing(const Device& device, const ComputePass& pass) {
 
 bool VariantKey::covers(const VariantKey& needed) const {
   return (needed.features & ~features) == 0 && fixedSpheres == needed.fixedSpheres &&
-         fixedPlanes == needed.fixedPlanes && fixedLights == needed.fixedLights;
+         fixedPlanes == needed.fixedPlanes && fixedLights == needed.fixedLights &&
+         ablation == needed.ablation;
 }
 
-VariantKey variantFor(const GpuScene& scene) {
+VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
   const TraceParams& p = scene.params;
   VariantKey key{scene.features};
   if (p.sphereCount <= MAX_FIXED && p.planeCount <= MAX_FIXED) {
     key.fixedSpheres = p.sphereCount;
     key.fixedPlanes = p.planeCount;
   }
-  if (p.lightCount <= std::min(MAX_FIXED_LIGHTS, p.lightSamples)) key.fixedLights = p.lightCount;
+  if (p.lightCount <= std::min(MAX_FIXED_LIGHTS, lightSamples)) key.fixedLights = p.lightCount;
+  // The loop budget may allow fewer light samples than were asked for.
+  if (p.lightCount > lightSamples) key.features |= FEATURE_LIGHT_TREE;
   return key;
 }
 
@@ -71,7 +75,21 @@ VariantInfo describeVariant(const std::optional<VariantKey>& key) {
                                                    "diffuse",
                                                    "glossy",
                                                    "mirror",
-                                                   "filter table"};
+                                                   "filter table",
+                                                   "area lights",
+                                                   "suns",
+                                                   "environment",
+                                                   "environment image",
+                                                   "light tree",
+                                                   "transmission",
+                                                   "absorption",
+                                                   "clearcoat",
+                                                   "edge tint",
+                                                   "energy compensation",
+                                                   "lens",
+                                                   "orthographic",
+                                                   "Russian roulette",
+                                                   "clamp"};
   VariantInfo info;
   info.specialized = key.has_value();
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i)
@@ -104,7 +122,7 @@ const Variants::Special* Variants::find(const VariantKey& needed) const {
 
 Variants::Choice Variants::choose(const VariantKey& needed) {
   const std::lock_guard lock(mutex_);
-  if (!allowSpecial_) return {generic_.get(), {}};
+  if (!allowSpecial_ && !needed.ablation) return {generic_.get(), {}};
   const Special* found = find(needed);
   const bool exact = found && found->key == needed;
   if (!exact && std::ranges::find(wanted_, needed) == wanted_.end() &&
@@ -123,7 +141,7 @@ Variants::Choice Variants::choose(const VariantKey& needed) {
 void Variants::waitFor(const VariantKey& needed) {
   choose(needed);
   std::unique_lock lock(mutex_);
-  if (!allowSpecial_) return;
+  if (!allowSpecial_ && !needed.ablation) return;
   changed_.wait(lock, [&] {
     return std::ranges::find(ready_, needed, &Special::key) != ready_.end() ||
            std::ranges::find(failed_, needed) != failed_.end();

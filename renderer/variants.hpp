@@ -19,12 +19,14 @@ namespace steradian {
 struct VariantKey {
   std::uint32_t features = 0;
   std::uint32_t fixedSpheres = 0, fixedPlanes = 0, fixedLights = 0;  // 0 = counted at run time
+  bool ablation = false;                                             // obeys the flags of measurements
   bool operator==(const VariantKey&) const = default;
   /// Compiled for at least what `needed` asks.
   bool covers(const VariantKey& needed) const;
 };
 
-VariantKey variantFor(const GpuScene& scene);
+/// `lightSamples`: at each vertex, after the loop budget.
+VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples);
 VariantInfo describeVariant(const std::optional<VariantKey>& key);
 
 class Variants {

@@ -21,18 +21,37 @@ layout(constant_id = 12) const bool kDiffuse = true;
 layout(constant_id = 13) const bool kGlossy = true;
 layout(constant_id = 14) const bool kMirror = true;
 layout(constant_id = 15) const bool kFilterTable = true;
-layout(constant_id = 16) const uint kFixedSpheres = 0;
-layout(constant_id = 17) const uint kFixedPlanes = 0;
-layout(constant_id = 18) const uint kFixedLights = 0;
+layout(constant_id = 16) const bool kAreaLights = true;
+layout(constant_id = 17) const bool kSuns = true;
+layout(constant_id = 18) const bool kEnvironment = true;
+layout(constant_id = 19) const bool kEnvironmentImage = true;
+layout(constant_id = 20) const bool kLightTree = true;
+layout(constant_id = 21) const bool kTransmission = true;
+layout(constant_id = 22) const bool kAbsorption = true;
+layout(constant_id = 23) const bool kClearcoat = true;
+layout(constant_id = 24) const bool kEdgeTint = true;
+layout(constant_id = 25) const bool kCompensation = true;
+layout(constant_id = 26) const bool kLens = true;
+layout(constant_id = 27) const bool kOrthographic = true;
+layout(constant_id = 28) const bool kRoulette = true;
+layout(constant_id = 29) const bool kClamp = true;
+layout(constant_id = 30) const uint kFixedSpheres = 0;
+layout(constant_id = 31) const uint kFixedPlanes = 0;
+layout(constant_id = 32) const uint kFixedLights = 0;
+layout(constant_id = 33) const bool kAblation = false;
 
-const bool kLights = kPointLights || kSpotLights || kDirectionalLights;
+const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
+// Lights that paths meet as well: both ways are weighed against each other.
+const bool kMetLights = kAreaLights || kSuns || kEnvironment;
 const bool kAffine = kBoxes || kRects || kDisks || kCylinders || kEllipsoids;
 
 // Material feature bits that this variant lacks must not occur: the sample is counted as a fault.
 uint missingFeatures(uint needed) {
   uint have = (kEmission ? FEATURE_EMISSION : 0u) | (kDiffuse ? FEATURE_DIFFUSE : 0u) |
-              (kGlossy ? FEATURE_GLOSSY : 0u) | (kMirror ? FEATURE_MIRROR : 0u);
-  return needed & ~have;
+              (kGlossy ? FEATURE_GLOSSY : 0u) | (kMirror ? FEATURE_MIRROR : 0u) |
+              (kTransmission ? FEATURE_TRANSMISSION : 0u) | (kAbsorption ? FEATURE_ABSORPTION : 0u) |
+              (kClearcoat ? FEATURE_CLEARCOAT : 0u) | (kEdgeTint ? FEATURE_EDGE_TINT : 0u);
+  return needed & ~(have | MATERIAL_ONE_SIDED);
 }
 
 #endif

@@ -3,21 +3,35 @@
 //
 // Scene data is a list of vec4 rows in one texel buffer, relative to the camera (origin = camera position):
 //   camera (3 rows), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
-//   boxes, rects, disks, cylinders, ellipsoids (3 each), materials (3 per primitive), object ids (1 per
-//   primitive), lights (3).
-// Primitive indices follow the same order. Rows:
-//   camera       right, - | up, - | forward, -
+//   boxes, rects, disks, cylinders, ellipsoids (3 each), materials (6 per primitive), object ids (1 per
+//   primitive), lights (4; suns first), light tree, environment (6).
+// What rarely changes lies in a second texel buffer, the tables: ENERGY_ROWS of albedo tables, then the image
+// of the environment with its sampling tables. Primitive indices follow the same order. Rows:
+//   camera       right, lens radius (0 = pinhole) | up, focus distance | forward, 1 = parallel projection
 //   filter       inverse CDF at i, step to i+1, -, -   (pixels from the pixel centre)
 //   sphere       centre, radius
 //   plane        unit normal, D = dot(point, normal)
 //   large sphere centre high part, radius high part | centre low part, radius low part
 //   affine shape rows of the 3x3 unitFromWorld, each with one component of the centre in w
-//   material     albedo, metallic | alpha = roughness^2, dielectric F0, dielectric F90, feature bits |
-//                emission (nit), -     (one per primitive: a shared table would cost a dependent fetch at
-//                every vertex)
+//   material     albedo, metallic | alpha = roughness^2, dielectric F0, dielectric F90, bits (FEATURE_*,
+//   MATERIAL_*) |
+//                emission (nit), bits: light that samples this primitive or NO_LIGHT |
+//                transmission, ior, coat weight, coat alpha | absorption (1/m), - | F82 coefficient, -
+//                (one per primitive: a shared table would cost a dependent fetch at every vertex)
 //   object id    bits, -, -, -
-//   light        position or direction to the light, kind | intensity (cd or lx), cone scale | axis, cone
-//   offset
+//   point        position, kind | intensity (cd), - | - | -
+//   spot         position, kind | intensity (cd), cone scale | axis, cone offset | -
+//   directional  direction to the light, kind | illuminance (lx), 1 - cos(half angle) of its disc | - | -
+//   sphere light centre, kind | radiance (nit), radius | - | -, bits: its primitive
+//   rect light   centre, kind | radiance (nit), 1 = both sides | half edge U, - | half edge V, bits: its
+//   primitive (front: cross(U, V)) disk light   centre, kind | radiance (nit), 1 = both sides | semi-axis U,
+//   - | semi-axis V, bits: its primitive (front: cross(U, V)) light tree   2 rows per node, 2 * lights - 1
+//   nodes, the root first, siblings side by side; then 1 row per light:
+//                centre, power (cd; lx for directional; of all lights 1) | squared near-field radius (-1 =
+//                directional), bits: first child, or LIGHT_NODE_LEAF and the light, - | bits: which child at
+//                each level, -
+//   environment  zenith (nit), image columns (0 = gradient only) | horizon, image rows | ground, - |
+//                3 rows of the rotation environmentFromWorld
 #ifndef STERADIAN_GPU_TYPES_H
 #define STERADIAN_GPU_TYPES_H
 
@@ -34,15 +48,23 @@ GPU_CONST uint CAMERA_ROWS = 3u;
 GPU_CONST uint FILTER_ROWS = 256u;
 GPU_CONST uint LARGE_SPHERE_ROWS = 2u;
 GPU_CONST uint AFFINE_ROWS = 3u;
-GPU_CONST uint MATERIAL_ROWS = 3u;
-GPU_CONST uint LIGHT_ROWS = 3u;
+GPU_CONST uint MATERIAL_ROWS = 6u;
+GPU_CONST uint LIGHT_ROWS = 4u;
+GPU_CONST uint LIGHT_NODE_ROWS = 2u;
+GPU_CONST uint ENVIRONMENT_ROWS = 6u;
 
 GPU_CONST uint LIGHT_POINT = 0u;
 GPU_CONST uint LIGHT_SPOT = 1u;
 GPU_CONST uint LIGHT_DIRECTIONAL = 2u;
+GPU_CONST uint LIGHT_SPHERE = 3u;
+GPU_CONST uint LIGHT_RECT = 4u;
+GPU_CONST uint LIGHT_DISK = 5u;
 
 GPU_CONST uint NO_PRIMITIVE = 0xffffffffu;
+GPU_CONST uint NO_LIGHT = 0xffffffffu;
 GPU_CONST uint MAX_LIGHT_SAMPLES = 16u;
+GPU_CONST uint LIGHT_NODE_LEAF = 1u << 31;
+GPU_CONST uint MAX_LIGHT_TREE_DEPTH = 24u;
 
 // Feature bits: kinds that a scene may or may not hold. Bit i is specialization constant i.
 GPU_CONST uint FEATURE_SPHERES = 1u << 0;
@@ -61,18 +83,44 @@ GPU_CONST uint FEATURE_DIFFUSE = 1u << 12;
 GPU_CONST uint FEATURE_GLOSSY = 1u << 13;
 GPU_CONST uint FEATURE_MIRROR = 1u << 14;
 GPU_CONST uint FEATURE_FILTER_TABLE = 1u << 15;
-GPU_CONST uint FEATURE_COUNT = 16u;
+GPU_CONST uint FEATURE_AREA_LIGHTS = 1u << 16;  // sphere, rect, disk: sampled, and met by paths
+GPU_CONST uint FEATURE_SUNS = 1u << 17;         // directional lights with a disc
+GPU_CONST uint FEATURE_ENVIRONMENT = 1u << 18;
+GPU_CONST uint FEATURE_ENVIRONMENT_IMAGE = 1u << 19;
+GPU_CONST uint FEATURE_LIGHT_TREE = 1u << 20;  // more lights than are sampled at each vertex
+GPU_CONST uint FEATURE_TRANSMISSION = 1u << 21;
+GPU_CONST uint FEATURE_ABSORPTION = 1u << 22;
+GPU_CONST uint FEATURE_CLEARCOAT = 1u << 23;
+GPU_CONST uint FEATURE_EDGE_TINT = 1u << 24;
+GPU_CONST uint FEATURE_COMPENSATION = 1u << 25;  // the setting energyCompensation
+GPU_CONST uint FEATURE_LENS = 1u << 26;
+GPU_CONST uint FEATURE_ORTHOGRAPHIC = 1u << 27;
+GPU_CONST uint FEATURE_ROULETTE = 1u << 28;  // the setting, and bounces enough for it
+GPU_CONST uint FEATURE_CLAMP = 1u << 29;
+GPU_CONST uint FEATURE_COUNT = 30u;
+// A material's own bits, beside the features it needs.
+GPU_CONST uint MATERIAL_ONE_SIDED = 1u << 31;  // emits on the side of its normal only
 // Counts baked into a special variant of a small scene; 0 = read the count from the push constants.
-GPU_CONST uint CONSTANT_FIXED_SPHERES = 16u;
-GPU_CONST uint CONSTANT_FIXED_PLANES = 17u;
-GPU_CONST uint CONSTANT_FIXED_LIGHTS = 18u;
-GPU_CONST uint MAX_FIXED = 8u;  // spheres, planes
+GPU_CONST uint CONSTANT_FIXED_SPHERES = 30u;
+GPU_CONST uint CONSTANT_FIXED_PLANES = 31u;
+GPU_CONST uint CONSTANT_FIXED_LIGHTS = 32u;
+GPU_CONST uint CONSTANT_ABLATION = 33u;  // obey the TRACE_* flags of measurements
+GPU_CONST uint MAX_FIXED = 8u;           // spheres, planes
 GPU_CONST uint MAX_FIXED_LIGHTS = 4u;
 
 // Flags of TraceParams.
 GPU_CONST uint TRACE_ERROR_METER = 1u;  // even samples belong to half A, odd ones to half B
 GPU_CONST uint TRACE_RUSSIAN_ROULETTE = 2u;
 GPU_CONST uint TRACE_HALF_B = 4u;  // which half this dispatch adds to
+GPU_CONST uint TRACE_COMPENSATION = 8u;
+GPU_CONST uint TRACE_ENVIRONMENT = 16u;
+GPU_CONST uint TRACE_MET_LIGHTS =
+    512u;  // something emits: paths go one segment past the last bounce, to meet it
+// Ablations for measurements (what a method is worth); all 0 in use.
+GPU_CONST uint TRACE_NO_LIGHT_SAMPLING = 32u;     // area lights and environment are found by paths alone
+GPU_CONST uint TRACE_NO_BSDF_HITS = 64u;          // they are sampled alone
+GPU_CONST uint TRACE_INDEPENDENT_SAMPLES = 128u;  // hashed numbers instead of Owen-scrambled Sobol points
+GPU_CONST uint TRACE_UNIFORM_LIGHTS = 256u;       // many lights: uniform choice instead of the tree
 
 // Push constants of path_trace.comp and pick.comp.
 struct TraceParams {
@@ -85,9 +133,11 @@ struct TraceParams {
   uint objectRow;
   uint sphereCount, planeCount, largeSphereCount;
   uint boxCount, rectCount, diskCount, cylinderCount, ellipsoidCount;
-  uint lightCount;
-  float pixelScale;   // metres per pixel at distance 1
-  uint pickX, pickY;  // pick.comp only
+  uint lightCount, sunCount, lightTreeRow;
+  uint environmentRow;
+  float clampRadiance;  // nit, 0 = off
+  float pixelScale;     // metres per pixel at distance 1
+  uint pickX, pickY;    // pick.comp only
 };
 
 // Push constants of resolve.comp and meter.comp.
@@ -98,6 +148,11 @@ struct FilmParams {
   uint samplesA, samplesB;  // and in the others
   float relativeFloor;      // 0.01: relMSE = d^2 / (mean^2 + floor)
 };
+
+// Directional albedo of white GGX facets, split by Fresnel: cells of a grid over (roughness, sqrt(cosine)),
+// two rows per cell: the part of F0 at the 4 corners | the part of F90 at the 4 corners.
+GPU_CONST uint ENERGY_CELLS = 32u;
+GPU_CONST uint ENERGY_ROWS = 2u * ENERGY_CELLS * ENERGY_CELLS;
 
 // Push constants of the display pass: a film shown in a rectangle.
 struct DisplayParams {
@@ -114,9 +169,13 @@ struct DisplayParams {
 GPU_CONST uint METER_GROUP = 64u;
 GPU_CONST uint METER_PIXELS = 1024u;
 
-// Counters of a film (uint): NaN samples, faults.
+// Counters of a film (uint): NaN samples, faults, radiance cut by clamping (64 bits, in CLAMPED_UNITS per
+// nit).
 GPU_CONST uint COUNTER_NAN = 0u;
 GPU_CONST uint COUNTER_FAULTS = 1u;
+GPU_CONST uint COUNTER_CLAMPED_LOW = 2u;
+GPU_CONST uint COUNTER_CLAMPED_HIGH = 3u;
+GPU_CONST uint CLAMPED_UNITS = 256u;
 GPU_CONST uint COUNTERS = 4u;
 
 // pick.comp's answer: primitive and object (bits), distance, - | position relative to the camera, - | normal,

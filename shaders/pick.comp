@@ -12,9 +12,9 @@ void main() {
   Layout l = primitiveLayout();
   CameraRows camera = fetchCamera();
   loadBakedPrimitives();
-  float x = (float(params.pickX) + 0.5 - 0.5 * float(params.width)) * params.pixelScale;
-  float y = (0.5 * float(params.height) - float(params.pickY) - 0.5) * params.pixelScale;
-  Ray ray = Ray(vec3(0.0), normalize(camera.right * x + camera.up * y + camera.forward), NO_PRIMITIVE, false);
+  // Through the middle of the lens, which sees all depths sharply.
+  CameraRay seen = cameraRay(camera, float(params.pickX) + 0.5, float(params.pickY) + 0.5, 0.0, 0.0);
+  Ray ray = Ray(seen.o, seen.d, NO_PRIMITIVE, false);
   Hit hit = closestHit(ray, INFINITE, l);
   bool found = hit.primitive != NO_PRIMITIVE;
   uint primitive = min(hit.primitive, l.end - 1u);

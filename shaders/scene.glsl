@@ -8,7 +8,10 @@
 layout(set = 0, binding = 0) uniform samplerBuffer sceneRows;
 layout(push_constant) uniform Push { TraceParams params; };
 
+layout(set = 0, binding = 8) uniform samplerBuffer tableRows;
+
 vec4 fetchRow(uint row) { return texelFetch(sceneRows, int(row)); }
+vec4 fetchTable(uint row) { return texelFetch(tableRows, int(row)); }
 
 // First primitive index and first row of each kind, in upload order.
 struct Layout {
@@ -38,28 +41,6 @@ uint largeSphereRow(Layout l, uint primitive) {
 }
 uint affineRow(Layout l, uint primitive) {
   return kFirstRow + l.largeSphere + (l.box - l.largeSphere) * LARGE_SPHERE_ROWS + (primitive - l.box) * AFFINE_ROWS;
-}
-
-struct SurfaceMaterial {
-  Lobes lobes;
-  vec3 emission;  // nit
-  uint features;  // FEATURE_* bits this material needs
-};
-
-SurfaceMaterial fetchMaterial(uint primitive) {
-  uint row = params.materialRow + primitive * MATERIAL_ROWS;
-  vec4 a = fetchRow(row);
-  vec4 b = fetchRow(row + 1u);
-  Lobes lobes;
-  float metallic = a.w;
-  lobes.diffuse = a.xyz * (1.0 - metallic);
-  lobes.f0 = mix(vec3(b.y), a.xyz, metallic);
-  lobes.f90 = mix(b.z, 1.0, metallic);
-  lobes.dielectricF0 = b.y;
-  lobes.dielectricF90 = b.z;
-  lobes.alpha = b.x;
-  vec3 emission = kEmission ? fetchRow(row + 2u).xyz : vec3(0.0);
-  return SurfaceMaterial(lobes, emission, floatBitsToUint(b.w));
 }
 
 #endif

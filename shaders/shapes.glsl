@@ -113,12 +113,13 @@ LocalRay toUnit(vec3 o, vec3 d, vec4 row0, vec4 row1, vec4 row2) {
   return LocalRay(vec3(dot(r0, p), dot(r1, p), dot(r2, p)), vec3(dot(r0, d), dot(r1, d), dot(r2, d)));
 }
 
-// A convex solid's [enter, leave]: from outside the entry, from inside the exit; on the solid itself only an exit.
+// A convex solid's [enter, leave]: from outside the entry, from inside the exit; on the solid itself only an exit. A ray
+// from its inside always has one: at an edge, rounding may put the start behind the next face, which is met at once.
 float convexHit(float enter, float leave, bool self, bool selfInside) {
   bool hit = enter <= leave;
   float outside = enter > 0.0 ? enter : (leave > 0.0 ? leave : INFINITE);
-  float own = selfInside && leave > 0.0 ? leave : INFINITE;
-  return hit ? (self ? own : outside) : INFINITE;
+  float own = selfInside ? max(leave, 0.0) : INFINITE;
+  return self ? own : (hit ? outside : INFINITE);
 }
 
 // [enter, leave] of the slab |x| <= 1. A direction of 0 would give 0 * inf = NaN in the slab's own plane.
@@ -187,17 +188,21 @@ float hitEllipsoid(LocalRay r, bool self, bool selfInside) {
   return t < INFINITE ? t * scale : INFINITE;
 }
 
+// A shape too small for the digits of its place is hit at its centre, where it has no direction: take any.
+vec3 nonZero(vec3 n) { return dot(n, n) > 1e-36 ? n : vec3(1.0, 0.0, 0.0); }
+float side(float x) { return x < 0.0 ? -1.0 : 1.0; }
+
 // Outward normals of the unit shapes at a point on them (not normalized).
 vec3 boxNormal(vec3 p) {
   vec3 a = abs(p);
   bool x = a.x >= a.y && a.x >= a.z;
   bool y = !x && a.y >= a.z;
-  return vec3(x ? sign(p.x) : 0.0, y ? sign(p.y) : 0.0, !x && !y ? sign(p.z) : 0.0);
+  return vec3(x ? side(p.x) : 0.0, y ? side(p.y) : 0.0, !x && !y ? side(p.z) : 0.0);
 }
 
 vec3 cylinderNormal(vec3 p) {
   bool cap = abs(p.y) - 1.0 > 0.5 * (p.x * p.x + p.z * p.z - 1.0);
-  return cap ? vec3(0.0, sign(p.y), 0.0) : vec3(p.x, 0.0, p.z);
+  return cap ? vec3(0.0, side(p.y), 0.0) : nonZero(vec3(p.x, 0.0, p.z));
 }
 
 #endif

@@ -29,6 +29,7 @@ Surface affineSurface(vec3 p, uint primitive, Layout l) {
   } else if (kEllipsoids && primitive >= l.ellipsoid) {
     n = q;
     f = 0.5 * (dot(q, q) - 1.0);
+    n = nonZero(n);
   }
   vec3 gradient = row0.xyz * n.x + row1.xyz * n.y + row2.xyz * n.z;
   return Surface(projected(p, f, gradient), normalize(gradient));
@@ -38,7 +39,7 @@ Surface surfaceAt(Ray ray, Hit hit, Layout l) {
   vec3 p = ray.o + ray.d * hit.t;
   vec4 g = fetchRow(kFirstRow + min(hit.primitive, l.largeSphere));
   vec3 toPoint = p - g.xyz;
-  vec3 n = normalize(toPoint);
+  vec3 n = normalize(nonZero(toPoint));
   Surface s = Surface(g.xyz + n * g.w, n);
   if (kPlanes) {
     bool plane = hit.primitive >= l.plane;

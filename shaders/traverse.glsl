@@ -57,12 +57,16 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
   }
 }
 
-void hitLargeSpheres(inout Hit hit, Ray ray, Layout l) {
+// Occlusion leaves out one primitive: the light that the ray is sent to (NO_PRIMITIVE = none).
+bool isTarget(uint primitive, uint target) { return kAreaLights && primitive == target; }
+
+void hitLargeSpheres(inout Hit hit, Ray ray, uint target, Layout l) {
   for (uint i = l.largeSphere; i < l.box; ++i) {
     uint row = largeSphereRow(l, i);
     vec4 high = fetchRow(row);
     vec4 low = fetchRow(row + 1u);
-    nearer(hit, hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside), i);
+    float t = hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside);
+    nearer(hit, isTarget(i, target) ? INFINITE : t, i);
   }
 }
 
@@ -71,14 +75,16 @@ LocalRay localRay(Ray ray, Layout l, uint primitive) {
   return toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
 }
 
-void hitAffineShapes(inout Hit hit, Ray ray, Layout l) {
+void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
   if (kBoxes)
     for (uint i = l.box; i < l.rect; ++i)
       nearer(hit, hitBox(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
   if (kRects)
-    for (uint i = l.rect; i < l.disk; ++i) nearer(hit, hitRect(localRay(ray, l, i), ray.self == i), i);
+    for (uint i = l.rect; i < l.disk; ++i) 
+      nearer(hit, hitRect(localRay(ray, l, i), ray.self == i || isTarget(i, target)), i);
   if (kDisks)
-    for (uint i = l.disk; i < l.cylinder; ++i) nearer(hit, hitDisk(localRay(ray, l, i), ray.self == i), i);
+    for (uint i = l.disk; i < l.cylinder; ++i) 
+      nearer(hit, hitDisk(localRay(ray, l, i), ray.self == i || isTarget(i, target)), i);
   if (kCylinders)
     for (uint i = l.cylinder; i < l.ellipsoid; ++i)
       nearer(hit, hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
@@ -87,32 +93,32 @@ void hitAffineShapes(inout Hit hit, Ray ray, Layout l) {
       nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
 }
 
-void hitOtherShapes(inout Hit hit, Ray ray, Layout l) {
-  if (kLargeSpheres) hitLargeSpheres(hit, ray, l);
-  if (kAffine) hitAffineShapes(hit, ray, l);
+void hitOtherShapes(inout Hit hit, Ray ray, uint target, Layout l) {
+  if (kLargeSpheres) hitLargeSpheres(hit, ray, target, l);
+  if (kAffine) hitAffineShapes(hit, ray, target, l);
 }
 
 // Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.
 Hit closestHit(Ray ray, float tMax, Layout l) {
   Hit hit = Hit(tMax, NO_PRIMITIVE);
   hitSpheresAndPlanes(hit, ray, l);
-  hitOtherShapes(hit, ray, l);
+  hitOtherShapes(hit, ray, NO_PRIMITIVE, l);
   return hit;
 }
 
-bool spheresBlock(Ray ray, float tMax, Layout l) {
+bool spheresBlock(Ray ray, float tMax, uint target, Layout l) {
   bool blocked = false;
   if (kFixedSpheres > 0u) {
     [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i) {
       vec4 s = bakedSpheres[i];
       bool hit = blocksSphere(ray.o, ray.d, tMax, s.xyz, s.w, ray.self == i, ray.selfInside);
-      blocked = blocked || hit;
+      blocked = blocked || (hit && !isTarget(i, target));
     }
   } else {
     for (uint i = 0u; i < l.plane; ++i) {
       vec4 s = fetchRow(kFirstRow + i);
       bool hit = blocksSphere(ray.o, ray.d, tMax, s.xyz, s.w, ray.self == i, ray.selfInside);
-      blocked = blocked || hit;
+      blocked = blocked || (hit && !isTarget(i, target));
     }
   }
   return blocked;
@@ -134,12 +140,12 @@ bool planesBlock(Ray ray, float tMax, Layout l) {
   return blocked;
 }
 
-// Whether anything lies between the ray's origin and tMax.
-bool occluded(Ray ray, float tMax, Layout l) {
-  bool bySphere = kSpheres ? spheresBlock(ray, tMax, l) : false;
+// Whether anything but the target lies between the ray's origin and tMax.
+bool occluded(Ray ray, float tMax, uint target, Layout l) {
+  bool bySphere = kSpheres ? spheresBlock(ray, tMax, target, l) : false;
   bool byPlane = kPlanes ? planesBlock(ray, tMax, l) : false;
   Hit hit = Hit(tMax, NO_PRIMITIVE);
-  hitOtherShapes(hit, ray, l);
+  hitOtherShapes(hit, ray, target, l);
   return bySphere || byPlane || hit.t < tMax;
 }
 

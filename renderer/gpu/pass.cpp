@@ -18,6 +18,7 @@ vk::raii::DescriptorSetLayout makeSetLayout(const Device& device) {
   bindings.push_back({0, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   for (std::uint32_t i = 1; i <= storageBindings; ++i)
     bindings.push_back({i, vk::DescriptorType::eStorageBuffer, 1, stages});
+  bindings.push_back({tablesBinding, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   const vk::DescriptorSetLayoutCreateInfo info({}, bindings);
   return checked(device, "creating the descriptor layout",
                  [&] { return vk::raii::DescriptorSetLayout(device.handle(), info); });
@@ -93,10 +94,11 @@ PassLayout::PassLayout(const Device& device)
       pipeline_(makePipelineLayout(device, *set_)),
       dummy_(device, BufferKind::upload, 256, "dummy") {}
 
-Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage) {
+Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage,
+                   const Buffer* tables) {
   assert(storage.size() <= storageBindings);
   const PassLayout& layout = device.passLayout();
-  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 1),
+  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 2),
                             vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, storageBindings)};
   const vk::DescriptorPoolCreateInfo poolInfo({}, 1, sizes);
   const vk::DescriptorSetLayout setLayout = layout.set();
@@ -105,8 +107,12 @@ Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buf
     vk::DescriptorSetAllocateInfo allocate(*pool_, setLayout);
     set_ = vk::raii::DescriptorSets(device.handle(), allocate).front().release();
   });
-  const vk::BufferView texels = rows && *rows ? rows->texels() : layout.dummy().texels();
-  assert(texels && "binding 0 takes whole texel rows of kind upload");
+  const auto texelsOf = [&](const Buffer* buffer) {
+    const vk::BufferView view = buffer && *buffer ? buffer->texels() : layout.dummy().texels();
+    assert(view && "texel buffers hold whole rows and are of kind upload");
+    return view;
+  };
+  const vk::BufferView texels = texelsOf(rows), tableTexels = texelsOf(tables);
   std::array<vk::DescriptorBufferInfo, storageBindings> buffers;
   for (std::size_t i = 0; i < storageBindings; ++i) {
     const Buffer* buffer = i < storage.size() && storage[i] && *storage[i] ? storage[i] : &layout.dummy();
@@ -116,7 +122,9 @@ Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buf
   writeRows.setTexelBufferView(texels);
   vk::WriteDescriptorSet writeStorage(set_, 1, 0, storageBindings, vk::DescriptorType::eStorageBuffer);
   writeStorage.pBufferInfo = buffers.data();  // consecutive bindings from 1 on
-  device.handle().updateDescriptorSets({writeRows, writeStorage}, {});
+  vk::WriteDescriptorSet writeTables(set_, tablesBinding, 0, 1, vk::DescriptorType::eUniformTexelBuffer);
+  writeTables.setTexelBufferView(tableTexels);
+  device.handle().updateDescriptorSets({writeRows, writeStorage, writeTables}, {});
 }
 
 ComputePass::ComputePass(const Device& device, std::span<const std::uint32_t> spirv,

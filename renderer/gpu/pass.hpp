@@ -14,13 +14,14 @@
 namespace steradian::gpu {
 
 inline constexpr std::uint32_t storageBindings = 7;  // bindings 1..7 of set 0
+inline constexpr std::uint32_t tablesBinding = 8;    // a second texel buffer
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
 /// What a GraphicsPass draws into, as RenderTarget and Swapchain hand it out.
 using TargetPass = vk::RenderPass;
 
-/// Owned by Device, the same for every pass: set 0 = { 0: samplerBuffer, 1..7: storage buffers } for compute
-/// and fragment shaders, 128 bytes of push constants for compute, vertex and fragment shaders.
+/// Owned by Device, the same for every pass: set 0 = { 0 and 8: samplerBuffer, 1..7: storage buffers } for
+/// compute and fragment shaders, 128 bytes of push constants for compute, vertex and fragment shaders.
 class PassLayout {
  public:
   explicit PassLayout(const Device& device);
@@ -37,8 +38,9 @@ class PassLayout {
 /// Which buffers a pass sees. Immutable; the buffers must outlive its use. Null or empty = not used.
 class Bindings {
  public:
-  /// `rows`: kind upload, binding 0. `storage[i]` goes to binding 1 + i; at most 7.
-  Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage);
+  /// `rows` and `tables`: kind upload, bindings 0 and 8. `storage[i]` goes to binding 1 + i; at most 7.
+  Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage,
+           const Buffer* tables = nullptr);
   vk::DescriptorSet set() const { return set_; }
 
  private:

@@ -5,9 +5,9 @@
 
 #include "renderer/gpu/buffer.hpp"
 #include "renderer/gpu/device.hpp"
-#include "renderer/image.hpp"
 #include "renderer/presenter.hpp"
 #include "renderer/renderer.hpp"
+#include "renderer/scene/image.hpp"
 
 namespace steradian::gpu {
 

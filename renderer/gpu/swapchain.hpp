@@ -10,8 +10,8 @@
 #include "renderer/gpu/buffer.hpp"
 #include "renderer/gpu/commands.hpp"
 #include "renderer/gpu/device.hpp"
-#include "renderer/image.hpp"
 #include "renderer/presenter.hpp"
+#include "renderer/scene/image.hpp"
 
 namespace steradian::gpu {
 

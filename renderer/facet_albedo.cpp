@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/facet_albedo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace steradian {
+
+namespace {
+
+struct LegendreValue {
+  double value, slope;
+};
+LegendreValue legendre(int degree, double x) {
+  double before = 1.0, value = x;
+  for (int k = 2; k <= degree; ++k) {
+    const double next = ((2 * k - 1) * x * value - (k - 1) * before) / k;
+    before = value;
+    value = next;
+  }
+  return {value, degree * (x * value - before) / (x * x - 1.0)};
+}
+
+// sqrt(alpha^2 + (1 - alpha^2) cos^2): Smith's Lambda = (length / cos - 1) / 2.
+double stretched(double cosine, double alpha) {
+  return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
+}
+
+// Facets as visible-normal sampling draws them from one view: c evenly over a cap of the unit sphere, h = c +
+// v stretched by alpha.
+class View {
+ public:
+  View(double alpha, double mu)
+      : alpha_(alpha), cosO_(mu), sinO_(std::sqrt(1.0 - mu * mu)), lengthO_(stretched(mu, alpha)) {}
+
+  double lowest() const { return -cosO_ / lengthO_; }  // of the cap
+
+  struct Facet {
+    double cosH, cosI;  // to wo; of the direction reflected
+  };
+  Facet facet(double z, double cosPhi) const {
+    const double vx = alpha_ * sinO_ / lengthO_, r = std::sqrt(std::max(0.0, 1.0 - z * z));
+    const double x = alpha_ * (r * cosPhi + vx), hz = z - lowest();
+    const double y2 = alpha_ * alpha_ * r * r * (1.0 - cosPhi * cosPhi);
+    const double length2 = x * x + y2 + hz * hz, cosine = x * sinO_ + hz * cosO_;
+    return {cosine / std::sqrt(length2), 2.0 * cosine * hz / length2 - cosO_};
+  }
+  // Where light reflected at this azimuth dips below the horizon: there the integrand has a kink.
+  double horizon(double cosPhi) const {
+    double below = lowest(), above = 1.0;
+    for (int i = 0; i < 16; ++i) {
+      const double middle = 0.5 * (below + above);
+      (facet(middle, cosPhi).cosI > 0.0 ? above : below) = middle;
+    }
+    return above;
+  }
+  // G2 / G1(wo)
+  double weight(double cosI) const {
+    const double lengthI = stretched(cosI, alpha_);
+    return cosI * (cosO_ + lengthO_) / (cosI * lengthO_ + cosO_ * lengthI);
+  }
+
+ private:
+  double alpha_, cosO_, sinO_, lengthO_;
+};
+
+}  // namespace
+
+Quadrature gaussLegendre(int points) {
+  Quadrature made;
+  for (int i = 0; i < points; ++i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (points + 0.5));
+    for (int step = 0; step < 8; ++step) x -= legendre(points, x).value / legendre(points, x).slope;
+    const double slope = legendre(points, x).slope;
+    made.x.push_back(0.5 * (1.0 - x));
+    made.w.push_back(1.0 / ((1.0 - x * x) * slope * slope));
+  }
+  return made;
+}
+
+FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule) {
+  const View view(std::max(alpha, 1e-4), std::clamp(mu, 1e-6, 1.0));
+  const std::size_t turns = rule.x.size();
+  FacetAlbedo sum{0.0, 0.0};
+  for (std::size_t k = 0; k < turns; ++k) {  // half a turn: the other is its mirror image
+    const double cosPhi = std::cos(std::numbers::pi * (double(k) + 0.5) / double(turns));
+    const double horizon = view.horizon(cosPhi);
+    const double share = (1.0 - horizon) / (1.0 - view.lowest()) / double(turns);
+    for (std::size_t i = 0; i < rule.x.size(); ++i) {
+      // Smoothstep: even at the pole of the cap, where the radius is a square root, and at the kink.
+      const double t = rule.x[i], z = horizon + t * t * (3.0 - 2.0 * t) * (1.0 - horizon);
+      const View::Facet facet = view.facet(z, cosPhi);
+      const double away = std::max(0.0, 1.0 - facet.cosH), grazing = away * away * away * away * away;
+      const double weight = 6.0 * t * (1.0 - t) * rule.w[i] * share * view.weight(std::max(facet.cosI, 0.0));
+      sum.f0 += weight * (1.0 - grazing);
+      sum.f90 += weight * grazing;
+    }
+  }
+  return sum;
+}
+
+}  // namespace steradian

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Reads the sums back, and finds the few pixels that carry most of the error.
+#include "renderer/film_sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+
+#include "renderer/convergence.hpp"
+#include "renderer/renderer_impl.hpp"
+
+namespace steradian {
+
+namespace {
+
+Image rgbOf(const gpu::Device& device, const gpu::Buffer& rows, Extent extent) {
+  const std::size_t pixels = std::size_t(extent.width) * extent.height;
+  const auto rgba = gpu::downloadAs<float>(device, rows, 0, pixels * 4);
+  Image image{extent.width, extent.height, 3, std::vector<float>(pixels * 3)};
+  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&rgba[i * 4], 3, &image.pixels[i * 3]);
+  return image;
+}
+
+/// FNV-1a (Fowler, Noll, Vo), 64 bits: tells scenes apart, does not resist an attacker.
+std::uint64_t hashOf(const void* data, std::size_t size, std::uint64_t hash) {
+  for (const unsigned char byte : std::span(static_cast<const unsigned char*>(data), size))
+    hash = (hash ^ byte) * 0x100000001b3ull;
+  return hash;
+}
+
+}  // namespace
+
+std::uint64_t FilmSums::count(int half, int row) const {
+  return samplesOfHalf(begin, row < rowsAhead ? endAhead : end, half, errorMeter);
+}
+
+std::uint64_t samplesOfHalf(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter) {
+  return halfRange(begin, end, half, errorMeter).count();
+}
+
+ErrorTails tailsOf(const FilmSums& sums) {
+  if (!sums.errorMeter || sums.end - sums.begin < 2) return {};
+  const Image& shape = sums.sum[0];
+  std::vector<double> squares;
+  squares.reserve(std::size_t(shape.width) * shape.height);
+  for (int y = 0; y < shape.height; ++y) {
+    const double nA = double(sums.count(0, y)), nB = double(sums.count(1, y));
+    const double share = nA * nB / ((nA + nB) * (nA + nB));
+    for (int x = 0; x < shape.width; ++x) {
+      double square = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        const auto mean = [&](int half, double n) {
+          return (double(sums.sum[half].at(x, y)[c]) - sums.carry[half].at(x, y)[c]) / n;
+        };
+        const double difference = mean(0, nA) - mean(1, nB);
+        square += difference * difference * share;
+      }
+      squares.push_back(square);
+    }
+  }
+  const double total = std::accumulate(squares.begin(), squares.end(), 0.0);
+  const auto worst = std::size_t(std::ceil(kTailPixels * double(squares.size())));
+  std::partial_sort(squares.begin(), squares.begin() + std::ptrdiff_t(worst), squares.end(),
+                    std::greater<>());
+  const double carried = std::accumulate(squares.begin(), squares.begin() + std::ptrdiff_t(worst), 0.0);
+  return {total > 0.0 ? carried / total : 0.0, worst, false};
+}
+
+FilmSums Renderer::filmSums() {
+  if (!impl_->film) return {};
+  const Film& film = impl_->currentFilm();
+  FilmSums out;
+  for (const int half : {0, 1}) {
+    out.sum[half] = rgbOf(*impl_->device, film.buffers()[2 * half], film.extent());
+    out.carry[half] = rgbOf(*impl_->device, film.buffers()[2 * half + 1], film.extent());
+  }
+  out.begin = film.progress.begin;
+  out.end = film.progress.done;
+  out.endAhead = film.progress.passEnd;
+  out.rowsAhead = film.progress.rowsDone;
+  out.errorMeter = impl_->metered();
+  return out;
+}
+
+bool Renderer::midPass() const {
+  return impl_->film && !impl_->stale && impl_->film->progress.rowsDone > 0;
+}
+
+std::uint64_t Renderer::sceneFingerprint() const {
+  const GpuScene& s = impl_->scene;
+  std::uint64_t hash = hashOf(s.rows.data(), s.rows.size() * sizeof(glm::vec4), 0xcbf29ce484222325ull);
+  hash = hashOf(&s.params, sizeof s.params, hash);
+  hash = hashOf(&s.features, sizeof s.features, hash);
+  if (s.environment)
+    hash = hashOf(s.environment->pixels.data(), s.environment->pixels.size() * sizeof(float), hash);
+  return hash;
+}
+
+ErrorTails Renderer::measureTails() {
+  ErrorTails& tails = impl_->stats.error.tails;
+  tails = impl_->stats.error.valid ? tailsOf(filmSums()) : ErrorTails{};
+  tails.heavy = heavyTails(impl_->stats.error);
+  return tails;
+}
+
+}  // namespace steradian

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Lights -> rows (shaders/gpu_types.h): suns, then other punctual lights, then the emissive primitives that
+// can be sampled.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "renderer/gpu_shapes.hpp"
+
+namespace steradian {
+
+class LightRows {
+ public:
+  /// A point, spot or directional light; others have bodies and come by addEmitter().
+  void addPunctual(const Light& light, const glm::dmat4& world, const glm::dvec3& origin);
+  /// A primitive that emits `radiance` (nit); its light index, or NO_LIGHT when its kind is left to the
+  /// paths. Call after all punctual lights.
+  std::uint32_t addEmitter(ShapeKind kind, const Placement& place, const glm::vec3& radiance, bool oneSided,
+                           std::uint32_t primitive);
+
+  std::uint32_t count() const;
+  std::uint32_t sunCount() const;
+  std::uint32_t features() const { return features_; }
+  /// All rows in upload order.
+  std::vector<glm::vec4> rows() const;
+
+ private:
+  std::vector<glm::vec4> suns_, others_;
+  std::uint32_t features_ = 0;
+};
+
+}  // namespace steradian

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What GLSL has and C++ has not, over GLM, for any Real: types, built-in functions, bindings, swizzles.
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include <glm/glm.hpp>
+
+#include "shaders/gpu_types.h"
+
+namespace steradian::reference {
+
+using namespace gpu;  // the constants that GLSL shares
+
+// Built-ins on scalars; those on vectors are found by their arguments.
+using glm::abs;
+using glm::acos;
+using glm::atan;
+using glm::ceil;
+using glm::clamp;
+using glm::cos;
+using glm::exp;
+using glm::exp2;
+using glm::floor;
+using glm::fract;
+using glm::inversesqrt;
+using glm::log;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::mod;
+using glm::pow;
+using glm::sign;
+using glm::sin;
+using glm::smoothstep;
+using glm::sqrt;
+using glm::step;
+using glm::tan;
+
+/// Bits are those of the float, whatever Real is: rows carry indices in them.
+template <class Real>
+std::uint32_t floatBitsToUint(Real x) {
+  return std::bit_cast<std::uint32_t>(float(x));
+}
+inline float uintBitsToFloat(std::uint32_t bits) {
+  return std::bit_cast<float>(bits);
+}
+
+inline std::uint32_t bitfieldReverse(std::uint32_t x) {
+  std::uint32_t reversed = 0;
+  for (int i = 0; i < 32; ++i) reversed |= ((x >> i) & 1u) << (31 - i);
+  return reversed;
+}
+
+/// Swizzles: v.xyz is rewritten as v->*xyz, which binds as tightly as it must.
+struct SwizzleXy {};
+struct SwizzleXyz {};
+inline constexpr SwizzleXy xy;
+inline constexpr SwizzleXyz xyz;
+template <glm::length_t N, class Real>
+glm::vec<2, Real> operator->*(const glm::vec<N, Real>& v, SwizzleXy) {
+  return glm::vec<2, Real>(v);
+}
+template <glm::length_t N, class Real>
+glm::vec<3, Real> operator->*(const glm::vec<N, Real>& v, SwizzleXyz) {
+  return glm::vec<3, Real>(v);
+}
+
+/// Types and bindings of one build; `Shaders` adds the functions. Rows stay float, as they are on the device.
+template <class Real>
+class GlslBuiltins {
+ public:
+  using vec2 = glm::vec<2, Real>;
+  using vec3 = glm::vec<3, Real>;
+  using vec4 = glm::vec<4, Real>;
+  using mat3 = glm::mat<3, 3, Real>;
+  using uvec2 = glm::uvec2;
+  using uint = std::uint32_t;
+  using samplerBuffer = std::span<const glm::vec4>;
+
+  /// Push constants, their numbers in this precision.
+  struct Params : gpu::TraceParams {
+    Real clampRadiance = 0, pixelScale = 0;
+    Params() = default;
+    explicit Params(const gpu::TraceParams& p)
+        : gpu::TraceParams(p), clampRadiance(Real(p.clampRadiance)), pixelScale(Real(p.pixelScale)) {}
+  };
+
+  Params params{gpu::TraceParams{}};
+  samplerBuffer sceneRows, tableRows;
+
+ protected:
+  /// `features`: bit i is specialization constant i, as on the device.
+  explicit GlslBuiltins(std::uint32_t features) : features_(features) {}
+
+  template <class T>
+  T specialized(std::uint32_t id, T generic) const {
+    return id < gpu::FEATURE_COUNT ? T((features_ >> id) & 1u) : generic;
+  }
+  /// Beyond the end 0, as a robust device answers.
+  static vec4 texelFetch(samplerBuffer rows, int at) {
+    return at >= 0 && std::size_t(at) < rows.size() ? vec4(rows[std::size_t(at)]) : vec4(0);
+  }
+
+ private:
+  std::uint32_t features_;
+};
+
+}  // namespace steradian::reference

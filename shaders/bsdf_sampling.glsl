@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Which lobe to sample, and a direction from it. Binding-free.
+#ifndef BSDF_SAMPLING_GLSL
+#define BSDF_SAMPLING_GLSL
+#include "bsdf.glsl"
+#include "sampling.glsl"
+
+// Chances by the lobes' share of the reflectance seen from wo, kept away from 0 and 1 where the share is a guess.
+Lobes withChances(Lobes lobes, float cosO, LobeKinds kinds) {
+  float grazing = pow5(1.0 - cosO);
+  float f90 = luminance(lobes.f90);
+  float f0 = luminance(lobes.f0);
+  float specular = f0 + (f90 - f0) * grazing;  // mix() may be rounded in another way in another variant
+  float passed = 0.0;
+  if (kinds.transmission) {
+    float glass = glassReflectance(lobes, cosO);
+    specular += lobes.exact * glass;
+    f90 += lobes.exact;
+    passed = luminance(lobes.transmit) * (1.0 - glass);
+  }
+  float diffuse = kinds.diffuse ? luminance(lobes.diffuse) : 0.0;
+  float mixed = clamp(specular / (specular + diffuse), 0.1, 0.9);
+  lobes.chance = diffuse <= 0.0 ? 1.0 : (f90 <= 0.0 ? 0.0 : mixed);
+  if (kinds.transmission) {
+    // The share of smooth glass is exact, and total reflection leaves none.
+    float least = passesUnscattered(lobes) ? 0.0 : 0.1;
+    float share = passed / max(passed + specular + diffuse, 1e-30);
+    bool passes = luminance(lobes.transmit) > 0.0;
+    lobes.transmitChance = passes ? clamp(share, least, 1.0 - least) : 0.0;
+    lobes.chance *= 1.0 - lobes.transmitChance;
+  }
+  if (kinds.coat) {
+    float coat = coatReflectance(lobes.coat, grazing);
+    float share = coat / max(coat + passed + specular + diffuse, 1e-30);
+    lobes.coatChance = coat > 0.0 ? clamp(share, 0.1, 0.9) : 0.0;
+    lobes.chance *= 1.0 - lobes.coatChance;
+    lobes.transmitChance *= 1.0 - lobes.coatChance;
+  }
+  return lobes;
+}
+
+struct BsdfSample {
+  vec3 wi;
+  vec3 weight;  // f * |cos| / pdf; 0 when the sample fell on the wrong side of the horizon
+  float pdf;    // solid angle; 0 for a lobe of zero width
+};
+
+// Below the surface along the refraction at a facet h of any length; straight up when it reflects totally.
+vec3 refracted(vec3 wo, vec3 h, float eta) {
+  vec3 n = h * inversesqrt(dot(h, h));
+  float cosO = dot(wo, n);
+  float cosT2 = 1.0 - (1.0 - cosO * cosO) / (eta * eta);
+  vec3 bent = n * (cosO / eta - sqrt(max(cosT2, 0.0))) - wo * (1.0 / eta);
+  return cosT2 > 0.0 ? bent : vec3(0.0, 0.0, 1.0);
+}
+
+// The lobe that u falls into, and u stretched over it.
+struct LobeChoice {
+  bool specular;
+  bool passed;
+  bool coat;
+  float u;
+};
+
+LobeChoice chooseLobe(Lobes lobes, float u, LobeKinds kinds) {
+  bool specular = u < lobes.chance;
+  bool passed = false;
+  bool coat = false;
+  float begin = specular ? 0.0 : lobes.chance;
+  float width = specular ? lobes.chance : diffuseChance(lobes, kinds);
+  float end = 1.0;
+  if (kinds.coat) {
+    end -= lobes.coatChance;
+    coat = !specular && u >= end;
+    begin = coat ? end : begin;
+    width = coat ? lobes.coatChance : width;
+  }
+  if (kinds.transmission) {
+    float first = end - lobes.transmitChance;
+    passed = !specular && !coat && u >= first && lobes.transmitChance > 0.0;
+    begin = passed ? first : begin;
+    width = passed ? lobes.transmitChance : width;
+  }
+  return LobeChoice(specular, passed, coat, clamp((u - begin) / max(width, 1e-6), 0.0, 0.99999994));
+}
+
+// Direction by a facet visible from wo.
+vec3 sampleFacets(Lobes lobes, LobeChoice choice, vec3 wo, CosSin azimuth, LobeKinds kinds) {
+  float alpha = kinds.coat && choice.coat ? lobes.coatAlpha : lobes.alpha;
+  vec3 h = visibleNormal(wo, alpha, ggxA(wo.z, alpha), azimuth.c, azimuth.s, choice.u);
+  vec3 wi = h * (2.0 * dot(wo, h) / dot(h, h)) - wo;
+  if (kinds.transmission) {
+    vec3 passed = lobes.thin ? vec3(wi.x, wi.y, -wi.z) : refracted(wo, h, lobes.eta);
+    wi = choice.passed ? passed : wi;
+  }
+  return wi;
+}
+
+// Replaces a sample of a lobe of zero width.
+BsdfSample sampleBeams(BsdfSample made, Lobes lobes, LobeChoice choice, vec3 wo, LobeKinds kinds) {
+  float glass = kinds.transmission ? glassReflectance(lobes, wo.z) : 0.0;
+  if (kinds.mirror) {
+    bool mirror = choice.specular && lobes.alpha < MIRROR_ALPHA;
+    vec3 ideal = facetReflectance(lobes, wo.z, pow5(1.0 - wo.z), glass, kinds) / max(lobes.chance, 1e-6);
+    made.wi = mirror ? vec3(-wo.x, -wo.y, wo.z) : made.wi;
+    made.weight = mirror ? ideal : made.weight;
+    made.pdf = mirror ? 0.0 : made.pdf;
+  }
+  if (kinds.transmission) {
+    bool beam = choice.passed && passesUnscattered(lobes);
+    vec3 wi = lobes.thin ? vec3(-wo.x, -wo.y, -wo.z) : refracted(wo, vec3(0.0, 0.0, 1.0), lobes.eta);
+    float compressed = lobes.thin ? 1.0 : 1.0 / (lobes.eta * lobes.eta);
+    vec3 ideal = lobes.transmit * ((1.0 - glass) * compressed / max(lobes.transmitChance, 1e-6));
+    made.wi = beam ? wi : made.wi;
+    made.weight = beam ? ideal : made.weight;
+    made.pdf = beam ? 0.0 : made.pdf;
+  }
+  return made;
+}
+
+// One-sample mixture of cosine and visible-normal sampling; (u, v) in [0, 1)^2, u also chooses the lobe.
+BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
+  LobeChoice choice = chooseLobe(lobes, u, kinds);
+  CosSin azimuth = cosSinTurn(v);
+  vec3 wi = kinds.diffuse ? cosineHemisphere(azimuth.c, azimuth.s, choice.u) : vec3(0.0, 0.0, 1.0);
+  if (kinds.glossy || kinds.coat) {
+    vec3 mirrored = sampleFacets(lobes, choice, wo, azimuth, kinds);
+    wi = choice.specular || choice.passed || choice.coat ? mirrored : wi;
+  }
+  BsdfValue value = evalBsdf(lobes, wo, wi, kinds);
+  vec3 weight = value.fCos * (value.pdf > 0.0 ? 1.0 / value.pdf : 0.0);
+  BsdfSample made = BsdfSample(wi, weight, value.pdf);
+  if (kinds.transmission) {
+    // A facet may send light to the side that its lobe does not own.
+    bool lost = (wi.z < 0.0) != choice.passed;
+    made.weight = lost ? vec3(0.0) : made.weight;
+    made.pdf = lost ? 0.0 : made.pdf;
+  }
+  if (kinds.mirror || kinds.transmission) made = sampleBeams(made, lobes, choice, wo, kinds);
+  return made;
+}
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The material of a primitive, and the lobes it shows to one direction.
+#ifndef MATERIAL_GLSL
+#define MATERIAL_GLSL
+#include "bsdf_sampling.glsl"
+#include "scene.glsl"
+
+struct SurfaceMaterial {
+  vec3 albedo;
+  float metallic;
+  float alpha;
+  float dielectricF0;
+  float dielectricF90;
+  uint bits;      // FEATURE_* that this material needs, and MATERIAL_*
+  vec3 emission;  // nit
+  uint light;     // that samples this primitive, or NO_LIGHT
+  vec3 absorption;  // 1/m
+};
+
+SurfaceMaterial fetchMaterial(uint primitive) {
+  uint row = params.materialRow + primitive * MATERIAL_ROWS;
+  vec4 a = fetchRow(row);
+  vec4 b = fetchRow(row + 1u);
+  vec4 c = kEmission ? fetchRow(row + 2u) : vec4(0.0);
+  SurfaceMaterial m;
+  m.albedo = a.xyz;
+  m.metallic = a.w;
+  m.alpha = b.x;
+  m.dielectricF0 = b.y;
+  m.dielectricF90 = b.z;
+  m.bits = floatBitsToUint(b.w);
+  m.emission = c.xyz;
+  m.light = kAreaLights ? floatBitsToUint(c.w) : NO_LIGHT;
+  m.absorption = kAbsorption ? fetchRow(row + 4u).xyz : vec3(0.0);
+  return m;
+}
+
+LobeKinds lobeKinds() { return LobeKinds(kDiffuse, kGlossy, kMirror, kTransmission, kClearcoat, kEdgeTint); }
+
+// Directional albedo of single-scatter facets: F0 * f0 + F90 * f90.
+struct FacetAlbedo {
+  float f0;
+  float f90;
+};
+
+FacetAlbedo facetAlbedo(float alpha, float cosO) {
+  float cells = float(ENERGY_CELLS);
+  float x = sqrt(alpha) * cells;
+  float y = sqrt(cosO) * cells;
+  float column = min(floor(x), cells - 1.0);
+  float line = min(floor(y), cells - 1.0);
+  float fx = x - column;
+  float fy = y - line;
+  vec4 weights = vec4((1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy);
+  uint row = 2u * (uint(line) * ENERGY_CELLS + uint(column));
+  float f0 = dot(fetchTable(row), weights);
+  float f90 = dot(fetchTable(row + 1u), weights);
+  float grazing = pow5(1.0 - cosO);
+  bool mirror = alpha < MIRROR_ALPHA;
+  return FacetAlbedo(mirror ? 1.0 - grazing : f0, mirror ? grazing : f90);
+}
+
+// Turquin 2019: facets of reflectance F0 gain 1 + F0 * this by light scattered more than once.
+float multipleScattering(FacetAlbedo albedo) { return 1.0 / (albedo.f0 + albedo.f90) - 1.0; }
+
+bool compensated() { return kCompensation && (params.flags & TRACE_COMPENSATION) != 0u; }
+
+// The coat's lobe; what is left for the base below it.
+float applyCoat(inout Lobes lobes, float weight, float alpha, float cosO) {
+  float gain = 1.0;
+  float reflected = coatReflectance(1.0, pow5(1.0 - cosO));
+  if (kCompensation) {
+    FacetAlbedo albedo = facetAlbedo(alpha, cosO);
+    bool on = compensated();
+    gain = on ? 1.0 + COAT_F0 * multipleScattering(albedo) : gain;
+    reflected = on ? gain * (COAT_F0 * albedo.f0 + albedo.f90) : reflected;
+  }
+  precise float gained = weight * gain;
+  lobes.coat = gained;
+  lobes.coatAlpha = alpha;
+  precise float left = 1.0 - weight * reflected;
+  return left;
+}
+
+// The lobes seen from wo: cosO its cosine, `inside` a solid or not, `thin` for a sheet that encloses nothing.
+Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool thin) {
+  Lobes lobes = noLobes();
+  uint row = params.materialRow + primitive * MATERIAL_ROWS;
+  vec4 glassAndCoat = vec4(0.0, 1.5, 0.0, 1.0);
+  if (kTransmission || kClearcoat) glassAndCoat = fetchRow(row + 3u);
+  float transmission = kTransmission ? glassAndCoat.x : 0.0;
+  bool glass = transmission > 0.0;
+  lobes.alpha = m.alpha;
+  lobes.thin = thin;
+  lobes.eta = inside && !thin ? 1.0 / glassAndCoat.y : glassAndCoat.y;
+
+  // What facets give back: nothing more without compensation, and glass stays without it.
+  float dielectric = 1.0 - m.metallic;
+  float schlick = glass ? 0.0 : dielectric;
+  float gain = 0.0;      // by multiple scattering, times F0
+  float reflected = 0.0; // albedo of the dielectric's facets, for the diffuse lobe below them
+  if (kCompensation) {
+    FacetAlbedo albedo = facetAlbedo(m.alpha, cosO);
+    float single = m.dielectricF0 * albedo.f0 + m.dielectricF90 * albedo.f90;
+    gain = compensated() ? multipleScattering(albedo) : 0.0;
+    reflected = single * (1.0 + m.dielectricF0 * gain);
+    if (kTransmission) {
+      // Exact for smooth glass; roughness shifts it as it shifts Schlick's.
+      float smoothSingle = m.dielectricF0 + (m.dielectricF90 - m.dielectricF0) * pow5(1.0 - cosO);
+      float exact = glassReflectance(lobes, cosO) + (single - smoothSingle);
+      reflected = glass ? clamp(exact, 0.0, 1.0) : reflected;
+    }
+    reflected = compensated() ? reflected : 0.0;
+  }
+  float below = kClearcoat ? applyCoat(lobes, glassAndCoat.z, glassAndCoat.w, cosO) : 1.0;
+  // `precise`: all variants must round these alike, whatever they know to be 0 or 1.
+  precise vec3 metal = (vec3(1.0) + m.albedo * gain) * (m.metallic * below);
+  precise float plastic = schlick * ((1.0 + m.dielectricF0 * gain) * below);
+  precise vec3 f0 = vec3(plastic * m.dielectricF0) + metal * m.albedo;
+  precise vec3 f90 = vec3(plastic * m.dielectricF90) + metal;
+  precise vec3 diffuse = m.albedo * (dielectric * (1.0 - transmission) * (1.0 - reflected) * below);
+  lobes.f0 = f0;
+  lobes.f90 = f90;
+  lobes.diffuse = diffuse;
+  if (kEdgeTint) lobes.edge = metal * fetchRow(row + 5u).xyz;
+  bool atHalfVector = !compensated();
+  lobes.dielectricF0 = atHalfVector && !glass ? m.dielectricF0 : 0.0;
+  lobes.dielectricF90 = atHalfVector && !glass ? m.dielectricF90 : 0.0;
+  lobes.exactLoss = atHalfVector && glass ? 1.0 : 0.0;
+  lobes.exact = glass ? dielectric * below : 0.0;
+  lobes.transmit = m.albedo * (dielectric * transmission * below);
+  bool facets = kGlossy || kMirror || kTransmission || kClearcoat;
+  bool several = kTransmission || kClearcoat || (kDiffuse && facets);
+  lobes.chance = facets ? 1.0 : 0.0;
+  return several ? withChances(lobes, cosO, lobeKinds()) : lobes;
+}
+
+#endif
