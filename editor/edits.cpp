@@ -95,6 +95,10 @@ struct LightName {
   const char* operator()(const PointLight&) const { return "Point light"; }
   const char* operator()(const SpotLight&) const { return "Spot light"; }
   const char* operator()(const DirectionalLight&) const { return "Directional light"; }
+  const char* operator()(const SphereLight&) const { return "Sphere light"; }
+  const char* operator()(const RectLight&) const { return "Rect light"; }
+  const char* operator()(const DiskLight&) const { return "Disk light"; }
+  const char* operator()(const EnvironmentLight&) const { return "Environment"; }
 };
 struct ContentName {
   const char* operator()(const Group&) const { return "Group"; }

@@ -27,7 +27,9 @@ void describe(CLI::App& app, cli::Command& chosen) {
       "signals.");
   cli::addEdit(app, chosen);
   cli::addRender(app, chosen);
+  cli::addMerge(app, chosen);
   cli::addCompare(app, chosen);
+  cli::addReport(app, chosen);
   cli::addConvert(app, chosen);
   cli::addInfo(app, chosen);
   cli::addDevices(app, chosen);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "editor/part/part.hpp"
 #include "editor/version.hpp"
 
 namespace steradian {
@@ -37,6 +38,20 @@ std::map<std::string, std::string> metadataOf(const StillOrigin& origin) {
   return metadata;
 }
 
+StillExtras partExtras(Renderer& renderer, const StillOrigin& origin) {
+  char scene[17];
+  std::snprintf(scene, sizeof scene, "%016llx", (unsigned long long)(renderer.sceneFingerprint()));
+  PartOrigin from;
+  from.scene = scene;
+  from.version = kVersion;
+  from.project = origin.project;
+  from.seed = origin.seed;
+  from.nan = origin.stats.nanSamples;
+  from.devices = {origin.device};
+  const Part part = partOf(renderer.filmSums(), std::move(from));
+  return {layersOf(part), partMetadata(part.origin)};
+}
+
 void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path& path) {
   if (!host.exporterFor(path, true)) {
     std::string known;
@@ -56,10 +71,12 @@ void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path
 }
 
 void saveStill(const plugins::PluginHost& host, Renderer& renderer, const StillOrigin& origin,
-               const std::vector<std::filesystem::path>& paths, const plugins::Parameters& parameters) {
+               const std::vector<std::filesystem::path>& paths, const plugins::Parameters& parameters,
+               const StillExtras& extras) {
   const Image radiance = renderer.radiance(), displayed = renderer.displayed();
-  plugins::ImageToSave image{radiance.width, radiance.height, radiance.pixels.data(), displayed.pixels.data(),
-                             metadataOf(origin)};
+  plugins::ImageToSave image{radiance.width,          radiance.height, radiance.pixels.data(),
+                             displayed.pixels.data(), extras.metadata, extras.layers};
+  image.metadata.merge(metadataOf(origin));
   // One file that cannot be written must not cost the others.
   std::exception_ptr failure;
   for (const auto& path : paths) try {

@@ -28,9 +28,20 @@ std::map<std::string, std::string> metadataOf(const StillOrigin& origin);
 /// Error(io) when the folder does not exist: call it before hours of rendering.
 void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path& path);
 
+/// What a file holds beside the picture, where its format can: AOVs, the sums of a part.
+struct StillExtras {
+  std::vector<plugins::ImageLayer> layers;
+  std::map<std::string, std::string> metadata;  // wins over what metadataOf() says
+};
+
+/// The accumulated sums, from which `steradian merge` puts disjoint ranges of samples together without loss.
+/// Throws Error(failed) when they are not whole: see StillRequest::wholePasses.
+StillExtras partExtras(Renderer& renderer, const StillOrigin& origin);
+
 /// Writes the renderer's picture, display-encoded with its present tonemapper where the format wants that.
 /// Throws Error(io | plugin); an older file of that name stays then.
 void saveStill(const plugins::PluginHost& host, Renderer& renderer, const StillOrigin& origin,
-               const std::vector<std::filesystem::path>& paths, const plugins::Parameters& parameters = {});
+               const std::vector<std::filesystem::path>& paths, const plugins::Parameters& parameters = {},
+               const StillExtras& extras = {});
 
 }  // namespace steradian

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "editor/assets.hpp"
 #include "editor/cli/bench.hpp"
 #include "editor/cli/bench_scene.hpp"
 
@@ -114,6 +115,7 @@ BenchScene loadBenchScene(const plugins::PluginHost& host, const fs::path& proje
                           const BenchOptions& options) {
   BenchScene out;
   out.scene = host.importScene(project).scene;
+  loadAssets(out.scene, projectFolderOf(project));
   if (options.bounces) out.scene.render.maxBounces = *options.bounces;
   out.film = options.size.value_or(Extent{out.scene.render.width, out.scene.render.height});
   out.view = cameraView(out.scene);

@@ -21,5 +21,7 @@ void addConvert(CLI::App& app, Command& chosen);
 void addPlugins(CLI::App& app, Command& chosen);
 void addBench(CLI::App& app, Command& chosen);
 void addCompare(CLI::App& app, Command& chosen);
+void addReport(CLI::App& app, Command& chosen);
+void addMerge(CLI::App& app, Command& chosen);
 
 }  // namespace steradian::cli

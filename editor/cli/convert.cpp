@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "editor/assets.hpp"
 #include "editor/cli/commands.hpp"
 #include "editor/cli/console.hpp"
 #include "plugins/host/plugin_host.hpp"
@@ -33,7 +34,9 @@ int runConvert(const ConvertOptions& options) {
   const auto imported = host.importScene(options.input, progress);
   for (const auto& line : imported.report.notKept)
     warn(options.input.string() + ": " + line.what + ": " + line.why);
-  host.exportScene(imported.scene, options.output, progress);
+  const Scene scene = withAssetsNamedFrom(imported.scene, projectFolderOf(options.input),
+                                          projectFolderOf(std::filesystem::absolute(options.output)));
+  host.exportScene(scene, options.output, progress);
   std::printf("%s: %zu objects, %zu materials\n", options.output.c_str(), imported.scene.objects.size(),
               imported.scene.materials.size());
   return 0;

@@ -6,9 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "editor/assets.hpp"
 #include "editor/cli/commands.hpp"
-#include "editor/cli/image_file.hpp"
+#include "editor/cli/console.hpp"
 #include "editor/edits.hpp"
+#include "editor/image_file.hpp"
 #include "plugins/host/plugin_host.hpp"
 
 namespace steradian::cli {
@@ -23,7 +25,23 @@ struct InfoOptions {
   bool json = false;
 };
 
-Json jsonOf(const plugins::ImportResult& imported) {
+/// "sky.exr": its size, or why it cannot be used.
+Json imagesOf(Scene scene, const std::filesystem::path& folder) {
+  Json images = Json::object();
+  const std::vector<AssetProblem> problems = Assets().load(scene, folder);
+  for (const Object& object : scene.objects) {
+    const auto* light = std::get_if<Light>(&object.content);
+    const auto* sky = light ? std::get_if<EnvironmentLight>(&light->kind) : nullptr;
+    if (!sky || sky->file.empty()) continue;
+    images[sky->file] = sky->image
+                            ? std::to_string(sky->image->width) + "x" + std::to_string(sky->image->height)
+                            : std::string("missing");
+  }
+  for (const AssetProblem& problem : problems) warn(problem.message);
+  return images;
+}
+
+Json jsonOf(const plugins::ImportResult& imported, const std::filesystem::path& file) {
   const Scene& scene = imported.scene;
   std::map<std::string, int> kinds;
   Json cameras = Json::array(), notKept = Json::array();
@@ -38,6 +56,7 @@ Json jsonOf(const plugins::ImportResult& imported) {
           {"objects", kinds},
           {"cameras", cameras},
           {"materials", scene.materials.size()},
+          {"images", imagesOf(scene, projectFolderOf(file))},
           {"channels", scene.animation.channels.size()},
           {"width", scene.render.width},
           {"height", scene.render.height},
@@ -52,6 +71,7 @@ Json jsonOf(const ImageFile& file) {
           {"width", file.image.width},
           {"height", file.image.height},
           {"channels", file.image.channels},
+          {"channelNames", file.channelNames},
           {"metadata", file.metadata}};
 }
 
@@ -76,7 +96,7 @@ int runInfo(const InfoOptions& options) {
     json = jsonOf(readImage(options.file));
   } else {
     const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
-    json = jsonOf(host.importScene(options.file));
+    json = jsonOf(host.importScene(options.file), options.file);
   }
   if (options.json)
     std::puts(json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());

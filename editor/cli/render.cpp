@@ -11,10 +11,12 @@
 #include "editor/cli/console.hpp"
 #include "editor/cli/interruption.hpp"
 #include "editor/cli/progress_line.hpp"
+#include "editor/cli/render_aov.hpp"
 #include "editor/cli/render_report.hpp"
 #include "editor/cli/render_scene.hpp"
 #include "editor/still_file.hpp"
 #include "editor/tonemapping.hpp"
+#include "renderer/convergence.hpp"
 
 namespace steradian::cli {
 
@@ -26,6 +28,7 @@ StillRequest requestOf(const RenderOptions& options, const Scene& scene) {
   for (const std::string& until : options.until) parseUntil(until, request);
   if (!options.samples.empty())
     std::tie(request.sampleBegin, request.sampleEnd) = parseSampleRange(options.samples);
+  request.wholePasses = !options.samples.empty();
   if (request.untilRelRmse && !scene.render.errorMeter)
     throw Error(ExitCode::usage,
                 "--until rel=... needs the error meter; leave out --no-meter or turn it on in the project");
@@ -51,6 +54,7 @@ void warnOfFaults(const RenderStats& stats) {
     warn(std::to_string(stats.nanSamples) + " samples were not a number and were left out");
   if (stats.faults > 0)
     warn(std::to_string(stats.faults) + " samples ran out of their loop budget; the picture may be wrong");
+  if (const std::string tails = tailWarning(stats.error); !tails.empty()) warn(tails);
 }
 
 void printResult(const RenderOptions& options, const Scene& scene, const StillResult& result) {
@@ -68,6 +72,7 @@ int runRender(const RenderOptions& options) {
   const PreparedScene prepared = prepareScene(host, options);
   const Scene& scene = prepared.scene;
   const StillRequest request = requestOf(options, scene);
+  const std::vector<Aov> aovs = parseAovs(options.aov, options.outputs, scene.render.errorMeter);
   const CameraView view = cameraView(scene, options.camera);
   RenderReport report;
   report.loadSeconds = secondsSinceStart();
@@ -91,7 +96,11 @@ int runRender(const RenderOptions& options) {
                            request.sampleBegin,
                            result.stats,
                            partial};
-  saveStill(host, renderer, origin, options.outputs, prepared.exporterParameters);
+  StillExtras extras;
+  if (!options.samples.empty()) extras = partExtras(renderer, origin);
+  if (!aovs.empty())
+    for (plugins::ImageLayer& layer : aovLayers(renderer, aovs)) extras.layers.push_back(std::move(layer));
+  saveStill(host, renderer, origin, options.outputs, prepared.exporterParameters, extras);
   warnOfFaults(result.stats);
   if (partial) warn("interrupted; what was finished is saved");
   printResult(options, scene, result);
@@ -130,7 +139,13 @@ void addSamplingOptions(CLI::App& command, RenderOptions& o) {
                   "Stop at rel=1% (relative RMSE) or time=30s; repeatable, the first that is met ends it "
                   "(default rel=1%)")
       ->allow_extra_args(false);
-  command.add_option("--samples", o.samples, "Only the sample indices A:B, a part to be merged");
+  auto* samples = command.add_option("--samples", o.samples,
+                                     "Only the sample indices A:B: a part for steradian merge (.exr)");
+  command
+      .add_option("--aov", o.aov,
+                  "Further layers of the .exr, by commas: albedo, normal, depth, id, coverage, samples, "
+                  "variance, or all")
+      ->excludes(samples);
   command.add_flag("--no-meter", o.noMeter, "One joint sample sequence: less noise, no error figure");
   command.add_flag("--generic", o.generic, "Keep the generic pipeline, do not specialize it to the scene");
 }

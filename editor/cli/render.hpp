@@ -12,7 +12,7 @@ namespace steradian::cli {
 struct RenderOptions {
   std::filesystem::path input;
   std::vector<std::filesystem::path> outputs;
-  std::string size, camera, tonemapper, device, samples;
+  std::string size, camera, tonemapper, device, samples, aov;
   std::optional<int> bounces;
   std::optional<std::uint32_t> seed;
   std::optional<float> exposure;               // stops

@@ -16,8 +16,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json errorOf(const ErrorEstimate& error) {
-  if (!error.valid) return {{"rmse", nullptr}, {"relRmse", nullptr}, {"slope", nullptr}};
-  return {{"rmse", error.rmse}, {"relRmse", error.relRmse}, {"slope", error.slope}};
+  if (!error.valid) return {{"rmse", nullptr}, {"relRmse", nullptr}, {"slope", nullptr}, {"tails", nullptr}};
+  const ErrorTails& tails = error.tails;
+  return {{"rmse", error.rmse},
+          {"relRmse", error.relRmse},
+          {"slope", error.slope},
+          {"tails", {{"share", tails.share}, {"pixels", tails.pixels}, {"heavy", tails.heavy}}}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "editor/assets.hpp"
 #include "editor/cli/arguments.hpp"
 #include "editor/cli/console.hpp"
 #include "renderer/scene/validate.hpp"
@@ -60,6 +61,7 @@ PreparedScene prepareScene(const plugins::PluginHost& host, const RenderOptions&
   plugins::ImportResult imported = host.importScene(options.input, progress);
   for (const auto& line : imported.report.notKept)
     warn(options.input.string() + ": " + line.what + ": " + line.why);
+  for (const std::string& warning : loadAssets(imported.scene, projectFolderOf(options.input))) warn(warning);
   PreparedScene prepared{std::move(imported.scene), {}};
   Scene& scene = prepared.scene;
   if (options.frame) scene = evaluatedAt(scene, double(*options.frame) / scene.animation.framesPerSecond);

@@ -12,7 +12,7 @@ struct PreparedScene {
 };
 
 /// Warns on stderr of what the import could not keep. Throws Error(usage) for an override that is out of
-/// range or a parameter that nothing knows, and what PluginHost::importScene throws.
+/// range or a parameter that nothing knows, and what PluginHost::importScene and loadAssets throw.
 PreparedScene prepareScene(const plugins::PluginHost& host, const RenderOptions& options);
 
 }  // namespace steradian::cli

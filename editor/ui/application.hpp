@@ -60,6 +60,7 @@ class Application {
   void carryOut(const AddObject& request);
   void carryOut(const Select& request);
   void carryOut(const LookThrough& request);
+  void carryOut(const ChooseSky& request);
   void runFileCommand(Command command);
   void runEditCommand(Command command);
   void runViewCommand(Command command);

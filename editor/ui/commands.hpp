@@ -72,6 +72,9 @@ struct Select {
 struct LookThrough {
   Id camera = Id::none;  // none = the free view
 };
-using Request = std::variant<Run, OpenFile, AddObject, Select, LookThrough>;
+struct ChooseSky {
+  Id light = Id::none;  // the environment light that gets an image
+};
+using Request = std::variant<Run, OpenFile, AddObject, Select, LookThrough, ChooseSky>;
 
 }  // namespace steradian::ui

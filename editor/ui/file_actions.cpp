@@ -3,6 +3,7 @@
 #include <ctime>
 #include <utility>
 
+#include "editor/assets.hpp"
 #include "editor/tonemapping.hpp"
 #include "editor/ui/application.hpp"
 #include "editor/ui/placement.hpp"
@@ -82,6 +83,15 @@ void Application::browseToOpen() {
 
 void Application::openFile(const fs::path& path) {
   if (std::optional<Document> opened = files_.load(path)) show(std::move(*opened));
+}
+
+void Application::carryOut(const ChooseSky& request) {
+  const fs::path start = projectFolderOf(document_.path());
+  browse({"Choose a sky", "Choose", false, {".exr", ".hdr"}}, start,
+         [this, light = request.light](const fs::path& path) {
+           if (std::optional<Scene> next = files_.withSky(document_, light, path))
+             edit(std::move(*next), "Choose sky");
+         });
 }
 
 void Application::startExport(const StillSettings& settings) {

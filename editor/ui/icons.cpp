@@ -88,6 +88,28 @@ void draw(const Pen& pen, const DirectionalLight&) {
     pen.line(x, 0.85f, x + 0.22f, 0.5f);
   }
 }
+void rays(const Pen& pen, float y) {
+  pen.line(-0.45f, y, -0.65f, y + 0.4f);
+  pen.line(0, y, 0, y + 0.45f);
+  pen.line(0.45f, y, 0.65f, y + 0.4f);
+}
+void draw(const Pen& pen, const SphereLight&) {
+  pen.circle(0, -0.25f, 0.62f);
+  rays(pen, 0.5f);
+}
+void draw(const Pen& pen, const RectLight&) {
+  pen.outline({{-0.85f, -0.75f}, {0.85f, -0.75f}, {0.85f, 0.1f}, {-0.85f, 0.1f}});
+  rays(pen, 0.4f);
+}
+void draw(const Pen& pen, const DiskLight&) {
+  pen.ellipse(0, -0.35f, 0.9f, 0.42f);
+  rays(pen, 0.35f);
+}
+void draw(const Pen& pen, const EnvironmentLight&) {
+  pen.ellipse(0, 0.35f, 0.95f, 0.95f, kPi, 2.0f * kPi);
+  pen.line(-0.95f, 0.35f, 0.95f, 0.35f);
+  pen.dot(0.3f, -0.05f, 0.2f);
+}
 void draw(const Pen& pen, const Camera&) {
   pen.outline({{-0.95f, -0.5f}, {0.35f, -0.5f}, {0.35f, 0.5f}, {-0.95f, 0.5f}});
   pen.outline({{0.35f, 0}, {0.95f, -0.45f}, {0.95f, 0.45f}});

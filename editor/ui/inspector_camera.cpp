@@ -2,14 +2,83 @@
 // Every field of a camera, and moving between it and the editor's own view.
 #include <glm/gtc/quaternion.hpp>
 
+#include <cmath>
+#include <cstdio>
+
 #include "editor/ui/inspector.hpp"
 #include "editor/ui/widgets.hpp"
 
 namespace steradian::ui {
 
+namespace {
+
+void projectionFields(Fields& fields, steradian::Camera& camera) {
+  int projection = int(camera.projection);
+  if (fields.choice("Projection", "Perspective, as eyes see; orthographic, in parallel, for plans.",
+                    {"Perspective", "Orthographic"}, projection))
+    camera.projection = steradian::Projection(projection);
+  if (camera.projection == steradian::Projection::orthographic) {
+    fields.number({.name = "Height",
+                   .help = "Full height of what is seen.",
+                   .unit = " m",
+                   .minimum = 1e-6,
+                   .maximum = 1e9,
+                   .logarithmic = true,
+                   .standard = 2.0},
+                  camera.orthographicHeight);
+    return;
+  }
+  double degrees = glm::degrees(camera.fovY);
+  if (fields.number({.name = "Field of view",
+                     .help = "Full vertical angle. 27\u00b0 is a 50 mm lens on 35 mm film.",
+                     .unit = "\u00b0",
+                     .minimum = 0.1,
+                     .maximum = 175.0,
+                     .decimals = 1,
+                     .slider = true,
+                     .standard = 45.0},
+                    degrees))
+    camera.fovY = glm::radians(degrees);
+}
+
+std::string millimetres(double metres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g mm", metres * 1e3);
+  return text;
+}
+
+/// A thin lens on a full-frame sensor.
+void lensFields(Fields& fields, steradian::Camera& camera) {
+  fields.note("Focal length", millimetres(0.5 * kSensorHeightMetres / std::tan(0.5 * camera.fovY)),
+              "Of a full-frame sensor, 24 mm high, at this field of view.");
+  bool open = camera.fNumber > 0.0;
+  if (fields.toggle("Depth of field", "A lens with an opening instead of a pinhole.", open))
+    camera.fNumber = open ? 2.8 : 0.0;
+  if (!open) return;
+  fields.number({.name = "F-number",
+                 .help = "Focal length over opening: the smaller, the shallower the depth of field.",
+                 .minimum = 0.01,
+                 .maximum = 1000.0,
+                 .decimals = 2,
+                 .logarithmic = true,
+                 .standard = 2.8},
+                camera.fNumber);
+  fields.number({.name = "Focus distance",
+                 .help = "Along the view axis to the plane that is sharp.",
+                 .unit = " m",
+                 .minimum = 1e-6,
+                 .maximum = 1e9,
+                 .logarithmic = true,
+                 .standard = 5.0},
+                camera.focusDistance);
+  fields.note("Opening", millimetres(2.0 * apertureRadius(camera)), "Diameter of the lens opening.");
+}
+
+}  // namespace
+
 Scene cameraAtView(const Scene& scene, Id camera, const CameraView& view) {
   const Object* object = find(scene, camera);
-  if (!object) return scene;
+  if (!object || !std::holds_alternative<steradian::Camera>(object->content)) return scene;
   const glm::dmat4 parent =
       object->parent == Id::none ? glm::dmat4(1.0) : worldFromObject(scene, object->parent);
   const glm::dmat4 local = glm::inverse(parent) * view.worldFromCamera;
@@ -19,26 +88,19 @@ Scene cameraAtView(const Scene& scene, Id camera, const CameraView& view) {
   transform.translation = glm::dvec3(local[3]);
   transform.rotation = glm::normalize(glm::quat_cast(axes));
   Scene placed = edits::setTransform(scene, camera, transform);
-  return edits::setContent(std::move(placed), camera, steradian::Camera{view.fovY});
+  steradian::Camera lens = std::get<steradian::Camera>(object->content);
+  lens.fovY = view.fovY;
+  return edits::setContent(std::move(placed), camera, lens);
 }
 
 std::optional<Edit> inspectCamera(Ui& ui, const InspectorInput& input, const Object& object) {
   if (!section(ui, "Camera")) return std::nullopt;
   Fields fields(ui, "camera");
   steradian::Camera next = std::get<steradian::Camera>(object.content);
-  double degrees = glm::degrees(next.fovY);
-  if (fields.number({.name = "Field of view",
-                     .help = "Full vertical angle. 27\u00b0 is a 50 mm lens on 35 mm film.",
-                     .unit = "\u00b0",
-                     .minimum = 0.1,
-                     .maximum = 175.0,
-                     .decimals = 1,
-                     .slider = true,
-                     .standard = 45.0},
-                    degrees)) {
-    next.fovY = glm::radians(degrees);
-    return Edit{edits::setContent(input.scene, object.id, next), "Change field of view of " + object.name};
-  }
+  projectionFields(fields, next);
+  if (next.projection == steradian::Projection::perspective) lensFields(fields, next);
+  if (fields.changed())
+    return Edit{edits::setContent(input.scene, object.id, next), fields.changeName() + " of " + object.name};
   bool active = input.scene.activeCamera == object.id;
   if (fields.toggle("Active", "The camera of stills and of `steradian render`.", active))
     return Edit{edits::setActiveCamera(input.scene, active ? object.id : Id::none), "Choose camera"};

@@ -56,21 +56,38 @@ void parameterField(Fields& fields, const Parameter& parameter, DisplaySettings&
   if (changed) d.parameters[parameter.id] = float(value);
 }
 
+void exposureFields(Fields& fields, DisplaySettings& d) {
+  fields.number({.name = "Exposure",
+                 .help = "Each stop doubles the brightness that is shown.",
+                 .unit = " EV",
+                 .minimum = -16.0,
+                 .maximum = 16.0,
+                 .decimals = 2,
+                 .slider = true,
+                 .standard = 0.0},
+                d.exposure);
+  fields.toggle("Physical",
+                "Exposes as a camera does: white is 1.2 \u00d7 2^EV100 nit, then the stops above.",
+                d.physical);
+  if (!d.physical) return;
+  fields.number(
+      {.name = "EV100",
+       .help = "Exposure value at ISO 100: night street 3, living room 7, overcast 12, full sun 15.",
+       .minimum = -10.0,
+       .maximum = 25.0,
+       .decimals = 2,
+       .slider = true,
+       .standard = 0.0},
+      d.ev100);
+}
+
 }  // namespace
 
 std::optional<Edit> inspectDisplay(Ui& ui, const InspectorInput& input) {
   Fields fields(ui, "display");
   DisplaySettings next = input.scene.display;
   if (section(ui, "Exposure and tone")) {
-    fields.number({.name = "Exposure",
-                   .help = "Each stop doubles the brightness that is shown.",
-                   .unit = " EV",
-                   .minimum = -16.0,
-                   .maximum = 16.0,
-                   .decimals = 2,
-                   .slider = true,
-                   .standard = 0.0},
-                  next.exposure);
+    exposureFields(fields, next);
     tonemapperChoice(ui, fields, input.plugins, next);
     if (const Contribution* tonemapper = input.plugins.tonemapper(next.tonemapper))
       for (const Parameter& parameter : tonemapper->parameters) parameterField(fields, parameter, next);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "editor/ui/furnace_view.hpp"
 #include "editor/ui/inspector.hpp"
 #include "editor/ui/widgets.hpp"
+#include "renderer/scene/metals.hpp"
 
 namespace steradian::ui {
 
@@ -83,6 +85,73 @@ void surfaceFields(Fields& fields, Material& m) {
                 m.ior);
 }
 
+bool isMadeOf(const Metal& metal, const Material& m) {
+  return madeOf(metal, m) == m;
+}
+
+void metalFields(Ui& ui, Fields& fields, Material& m) {
+  if (m.metallic <= 0.0f) return;
+  fields.begin("Metal", "Measured metals: sets albedo and edge tint from their optical constants.");
+  const auto known = std::ranges::find_if(metals(), [&](const Metal& metal) { return isMadeOf(metal, m); });
+  bool chosen = false;
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##metal", known != metals().end() ? known->name : "custom")) {
+    for (const Metal& metal : metals()) {
+      if (ImGui::Selectable(metal.name, isMadeOf(metal, m))) {
+        m = madeOf(metal, m);
+        chosen = true;
+      }
+      tooltip(metal.source);
+    }
+    ImGui::EndCombo();
+  }
+  ui.mark("material/Metal");
+  fields.end(chosen);
+  fields.linearColor(
+      "Edge tint",
+      "Metals: reflectance at 82\u00b0 beside the plain Schlick curve's. White = plain Schlick; measured "
+      "metals dip a little before the edge.",
+      m.edgeTint);
+}
+
+void transmissionFields(Fields& fields, Material& m) {
+  fields.number(
+      {.name = "Transmission",
+       .help = "Share of the dielectric base that lets light through: glass and water 1. Solids refract, "
+               "flat shapes let pass straight.",
+       .slider = true,
+       .standard = 0.0},
+      m.transmission);
+  if (m.transmission <= 0.0f) return;
+  const bool coloured = fields.linearColor(
+      "Absorption", "What is left of white light after the distance below, inside a solid.",
+      m.attenuationColor);
+  if (coloured) m.attenuationColor = glm::max(m.attenuationColor, glm::vec3(1e-4f));
+  fields.number({.name = "Distance",
+                 .help = "Way through the solid after which the absorption colour is left; 0 = clear.",
+                 .unit = " m",
+                 .minimum = 0.0,
+                 .maximum = 1e6,
+                 .decimals = 4,
+                 .logarithmic = true,
+                 .standard = 0.0},
+                m.attenuationDistance);
+}
+
+void clearcoatFields(Fields& fields, Material& m) {
+  fields.number({.name = "Clearcoat",
+                 .help = "Weight of a clear coat (IOR 1.5) on top: car paint, varnished wood 1.",
+                 .slider = true,
+                 .standard = 0.0},
+                m.clearcoat);
+  if (m.clearcoat <= 0.0f) return;
+  fields.number({.name = "Coat roughness",
+                 .help = "Perceptual roughness of the coat. 0 = mirror.",
+                 .slider = true,
+                 .standard = 0.0},
+                m.clearcoatRoughness);
+}
+
 void emissionFields(Fields& fields, Material& m) {
   fields.linearColor("Emission", "Multiplies the luminance. Linear Rec. 709, may exceed 1.", m.emissionColor,
                      true);
@@ -113,7 +182,14 @@ std::optional<Edit> inspectMaterial(Ui& ui, const InspectorInput& input, const O
   ImGui::PushID(int(material->id));
   fields.text("Name", "Names of materials are unique in a scene.", next.name);
   surfaceFields(fields, next);
+  metalFields(ui, fields, next);
+  transmissionFields(fields, next);
+  clearcoatFields(fields, next);
   emissionFields(fields, next);
+  if (ImGui::TreeNode("Furnace")) {
+    furnaceView(ui, next, input.scene.render.energyCompensation);
+    ImGui::TreePop();
+  }
   const int users = usersOf(input.scene, material->id);
   if (users > 1) fields.note("Used by", std::to_string(users) + " objects", "A change shows on all of them.");
   ImGui::PopID();

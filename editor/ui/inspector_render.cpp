@@ -30,6 +30,28 @@ void pathFields(Fields& fields, RenderSettings& r) {
                  r.lightSamples);
 }
 
+void lightFields(Fields& fields, RenderSettings& r) {
+  fields.toggle(
+      "Energy compensation",
+      "Light scattered more than once between microfacets: rough metals keep their brightness. Off: "
+      "single scatter, to compare with renderers that leave it out.",
+      r.energyCompensation);
+  bool clamped = r.clamp > 0.0f;
+  if (fields.toggle("Clamp", "Cuts bright outliers of single samples: fewer fireflies, but light is lost.",
+                    clamped))
+    r.clamp = clamped ? 10.0f : 0.0f;
+  if (!clamped) return;
+  fields.number({.name = "Clamp at",
+                 .help = "Most radiance that one sample may carry beyond its first hit.",
+                 .unit = " nit",
+                 .minimum = 1e-3,
+                 .maximum = 1e10,
+                 .decimals = 2,
+                 .logarithmic = true,
+                 .standard = 10.0},
+                r.clamp);
+}
+
 void samplingFields(Fields& fields, RenderSettings& r) {
   int filter = int(r.filter);
   if (fields.choice("Pixel filter", "Box: 1 pixel wide. Blackman-Harris: 4 pixels wide, smoother edges.",
@@ -70,6 +92,7 @@ std::optional<Edit> inspectRender(Ui& ui, const Scene& scene) {
     fields.integer(size, next.height);
   }
   if (section(ui, "Paths")) pathFields(fields, next);
+  if (section(ui, "Light")) lightFields(fields, next);
   if (section(ui, "Sampling")) samplingFields(fields, next);
   if (!fields.changed()) return std::nullopt;
   return Edit{edits::setRender(scene, next), fields.changeName()};

@@ -102,6 +102,15 @@ void addItem(Ui& ui, const char* name, const edits::Content& content) {
   ui.mark(std::string("Add/") + name);
 }
 
+constexpr float kSunDiameter = 0.0093f;  // radians
+
+/// A blue zenith over a bright haze and a dull ground.
+Light clearSky() {
+  return {.kind = EnvironmentLight{.horizon = {2.0f, 1.45f, 1.0f}, .ground = {0.8f, 0.55f, 0.3f}},
+          .color = {0.45f, 0.65f, 1.0f},
+          .intensity = 20.0f};
+}
+
 }  // namespace
 
 void addMenuItems(Ui& ui) {
@@ -114,7 +123,11 @@ void addMenuItems(Ui& ui) {
   ImGui::Separator();
   addItem(ui, "Point light", Light{PointLight{}});
   addItem(ui, "Spot light", Light{SpotLight{}});
-  addItem(ui, "Directional light", Light{.kind = DirectionalLight{}, .intensity = 1000.0f});
+  addItem(ui, "Directional light", Light{.kind = DirectionalLight{kSunDiameter}, .intensity = 1000.0f});
+  addItem(ui, "Sphere light", Light{SphereLight{}});
+  addItem(ui, "Rectangle light", Light{RectLight{}});
+  addItem(ui, "Disk light", Light{DiskLight{}});
+  addItem(ui, "Environment", clearSky());
   ImGui::Separator();
   addItem(ui, "Camera", steradian::Camera{});
   addItem(ui, "Group", Group{});

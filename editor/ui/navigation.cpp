@@ -13,11 +13,21 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kPitchLimit = 0.5 * kPi - 1e-3;  // yaw is undefined straight up
 constexpr double kMinDistance = 1e-6, kMaxDistance = 1e12;
 
-/// Half extents before the transform; nullopt for what is infinite. Lights and cameras are points.
+/// Half extents before the transform; nullopt for what is infinite. Lights without a size and cameras are
+/// points.
 struct HalfExtent {
   std::optional<glm::dvec3> operator()(const Group&) const { return std::nullopt; }
-  std::optional<glm::dvec3> operator()(const Light&) const { return glm::dvec3(0.0); }
-  std::optional<glm::dvec3> operator()(const steradian::Camera&) const { return glm::dvec3(0.0); }
+  std::optional<glm::dvec3> operator()(const Light& light) const { return std::visit(*this, light.kind); }
+  std::optional<glm::dvec3> operator()(const SphereLight& l) const { return glm::dvec3(l.radius); }
+  std::optional<glm::dvec3> operator()(const RectLight& l) const { return glm::dvec3(0.5 * l.size, 0.0); }
+  std::optional<glm::dvec3> operator()(const DiskLight& l) const {
+    return glm::dvec3(l.radius, l.radius, 0.0);
+  }
+  std::optional<glm::dvec3> operator()(const EnvironmentLight&) const { return std::nullopt; }
+  template <class WithoutSize>
+  std::optional<glm::dvec3> operator()(const WithoutSize&) const {
+    return glm::dvec3(0.0);
+  }
   std::optional<glm::dvec3> operator()(const Geometry& g) const { return std::visit(*this, g.shape); }
   std::optional<glm::dvec3> operator()(const Sphere& s) const { return glm::dvec3(s.radius); }
   std::optional<glm::dvec3> operator()(const Plane&) const { return std::nullopt; }
@@ -62,7 +72,7 @@ CameraView OrbitView::view() const {
   const glm::dmat3 basis = axes();
   glm::dmat4 world(basis);
   world[3] = glm::dvec4(pivot_ + distance_ * basis[2], 1.0);
-  return {world, fovY_};
+  return {world, fovY_, {}};
 }
 
 void OrbitView::lookAs(const CameraView& view, double distance) {

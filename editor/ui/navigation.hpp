@@ -18,7 +18,7 @@ struct Bounds {
 };
 
 /// Of the visible, finite parts of the objects (all when `objects` is null); nullopt when there is none.
-/// Lights and cameras count as points.
+/// Lights without a size and cameras count as points; a sky is everywhere.
 std::optional<Bounds> boundsOf(const Scene& scene, const std::set<Id>* objects = nullptr);
 
 class OrbitView {

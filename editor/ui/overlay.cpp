@@ -68,6 +68,18 @@ class Wire {
       line({0, 0, 0}, {x, y, -length});
   }
   void operator()(const DirectionalLight&) const { line({0, 0, 0}, {0, 0, -1.2}); }
+  void operator()(const SphereLight& light) const { silhouette(light.radius); }
+  void operator()(const RectLight& light) const {
+    const glm::dvec2 h = 0.5 * light.size;
+    const glm::dvec3 corners[] = {{-h.x, -h.y, 0}, {h.x, -h.y, 0}, {h.x, h.y, 0}, {-h.x, h.y, 0}};
+    for (int i = 0; i < 4; ++i) line(corners[i], corners[(i + 1) % 4]);
+    line({0, 0, 0}, {0, 0, -std::max(h.x, h.y)});  // the side that shines
+  }
+  void operator()(const DiskLight& light) const {
+    circle({0, 0, 0}, {light.radius, 0, 0}, {0, light.radius, 0});
+    line({0, 0, 0}, {0, 0, -light.radius});
+  }
+  void operator()(const EnvironmentLight&) const { axes(0.5); }
 
  private:
   glm::dvec3 toWorld(const glm::dvec3& local) const { return glm::dvec3(world_ * glm::dvec4(local, 1.0)); }
@@ -92,12 +104,21 @@ class Wire {
     circle(axis * (radius * radius / distance), u * rim, v * rim);
   }
   void frustum(const steradian::Camera& camera) const {
-    const double y = 0.5 * std::tan(0.5 * camera.fovY), x = y * 16.0 / 9.0, z = -0.5;
+    const bool parallel = camera.projection == steradian::Projection::orthographic;
+    const double y = 0.5 * (parallel ? camera.orthographicHeight : std::tan(0.5 * camera.fovY));
+    const double x = y * 16.0 / 9.0, z = -0.5;
     const glm::dvec3 corners[] = {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
     for (int i = 0; i < 4; ++i) {
-      line({0, 0, 0}, corners[i]);
+      line(parallel ? glm::dvec3(corners[i].x, corners[i].y, 0.0) : glm::dvec3(0.0), corners[i]);
       line(corners[i], corners[(i + 1) % 4]);
     }
+    if (camera.fNumber > 0.0 && !parallel) focusCross(camera);
+  }
+  /// Where the plane in focus meets the view axis.
+  void focusCross(const steradian::Camera& camera) const {
+    const double r = 0.1 * camera.focusDistance * std::tan(0.5 * camera.fovY), z = -camera.focusDistance;
+    line({-r, 0, z}, {r, 0, z});
+    line({0, -r, z}, {0, r, z});
   }
   void axes(double length) const {
     for (int i = 0; i < 3; ++i) {
@@ -128,12 +149,13 @@ glm::dvec3 placeOf(const Scene& scene, Id object) {
 
 Projection::Projection(const CameraView& view, const ViewRect& rect)
     : cameraFromWorld_(glm::inverse(view.worldFromCamera)),
-      focal_(1.0 / std::tan(0.5 * view.fovY)),
+      parallel_(view.lens.projection == steradian::Projection::orthographic),
+      focal_(parallel_ ? 2.0 / view.lens.orthographicHeight : 1.0 / std::tan(0.5 * view.fovY)),
       center_(rect.min.x + 0.5f * rect.size.x, rect.min.y + 0.5f * rect.size.y),
       halfHeight_(0.5f * rect.size.y) {}
 
 ImVec2 Projection::onScreen(const glm::dvec3& c) const {
-  const double scale = focal_ * halfHeight_ / -c.z;
+  const double scale = focal_ * halfHeight_ / (parallel_ ? 1.0 : -c.z);
   // Far outside is far enough: ImGui draws with 16-bit-safe coordinates only.
   const auto limited = [](double v) { return float(std::clamp(v, -3e4, 3e4)); };
   return {center_.x + limited(c.x * scale), center_.y - limited(c.y * scale)};

@@ -31,7 +31,8 @@ class Projection {
   ImVec2 onScreen(const glm::dvec3& camera) const;
 
   glm::dmat4 cameraFromWorld_;
-  double focal_;  // half heights per unit tangent
+  bool parallel_;
+  double focal_;  // half heights per unit tangent; in parallel projection per metre
   ImVec2 center_;
   float halfHeight_;
 };

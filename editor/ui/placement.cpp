@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "editor/photometry.hpp"
+
 namespace steradian::ui {
 
 namespace {
@@ -66,16 +68,32 @@ edits::Added placedGeometry(const Scene& scene, Geometry geometry, const Place& 
   return edits::addShape(std::move(material.scene), geometry.shape, transform, material.id);
 }
 
+/// Resizes a lamp that has a size.
+struct FitLight {
+  double size;  // radius-like, metres
+  void operator()(SphereLight& l) const { l.radius = size; }
+  void operator()(RectLight& l) const { l.size = glm::dvec2(2.0 * size); }
+  void operator()(DiskLight& l) const { l.radius = size; }
+  template <class WithoutSize>
+  void operator()(WithoutSize&) const {}
+};
+
 edits::Added placedLight(const Scene& scene, Light light, const Place& place) {
   const double height = 0.35 * place.distance;
   Transform transform;
   transform.translation = place.position + height * place.normal;
-  if (std::holds_alternative<SpotLight>(light.kind))
-    transform.rotation = rotationFromTo({0, 0, -1}, -place.normal);
-  if (std::holds_alternative<DirectionalLight>(light.kind))
+  if (std::holds_alternative<EnvironmentLight>(light.kind)) return edits::addLight(scene, light, transform);
+  if (std::holds_alternative<DirectionalLight>(light.kind)) {
     transform.rotation = rotationFromTo({0, 0, -1}, glm::normalize(glm::dvec3(-0.5, -1.0, -0.6)));
-  else  // the same light on the surface below at any scale of the scene
-    light.intensity = float(roundSize(std::max(100.0 * height * height, 1e-6)));
+    return edits::addLight(scene, light, transform);
+  }
+  if (!std::holds_alternative<PointLight>(light.kind))
+    transform.rotation = rotationFromTo({0, 0, -1}, -place.normal);
+  std::visit(FitLight{roundSize(0.06 * place.distance)}, light.kind);
+  // The same light on the surface below at any scale of the scene and for any size of the lamp
+  light.intensity = 1.0f;
+  const double perUnit = intensityAhead(light, glm::dmat4(1.0)).value_or(1.0);
+  light.intensity = float(roundSize(std::max(100.0 * height * height / perUnit, 1e-6)));
   return edits::addLight(scene, light, transform);
 }
 

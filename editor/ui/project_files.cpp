@@ -5,6 +5,8 @@
 #include <unistd.h>
 #include <algorithm>
 
+#include "editor/edits.hpp"
+
 namespace steradian::ui {
 
 namespace fs = std::filesystem;
@@ -51,6 +53,7 @@ std::optional<Document> ProjectFiles::load(const fs::path& given) {
     plugins::ImportResult result = plugins_.importScene(path, progress);
     for (const plugins::ImportReport::Line& line : result.report.notKept)
       messages_.warning(path.filename().string() + ": " + line.what + " was not kept: " + line.why);
+    loadAssets(result.scene, path.parent_path());
     recent_.add(path);
     messages_.note("Opened " + path.string() + ".");
     if (plugins_.exporterFor(path, false)) return Document(std::move(result.scene), path);
@@ -64,8 +67,32 @@ std::optional<Document> ProjectFiles::load(const fs::path& given) {
   }
 }
 
+void ProjectFiles::loadAssets(Scene& scene, const fs::path& folder) {
+  for (const AssetProblem& problem : assets_.load(scene, folder))
+    problem.missing ? messages_.error(problem.message + "; until then the sky shows its gradient alone.")
+                    : messages_.warning(problem.message);
+}
+
+std::optional<Scene> ProjectFiles::withSky(const Document& document, Id light, const fs::path& image) {
+  const Object* object = find(document.committed(), light);
+  const Light* found = object ? std::get_if<Light>(&object->content) : nullptr;
+  if (!found || !std::holds_alternative<EnvironmentLight>(found->kind)) return std::nullopt;
+  const fs::path folder = projectFolderOf(document.path());
+  Light next = *found;
+  std::get<EnvironmentLight>(next.kind).file = assetName(image, folder);
+  Scene scene = edits::setContent(document.committed(), light, next);
+  for (const AssetProblem& problem : assets_.load(scene, folder))
+    problem.missing ? messages_.error(problem.message) : messages_.warning(problem.message);
+  const Light& loaded = std::get<Light>(find(scene, light)->content);
+  if (!std::get<EnvironmentLight>(loaded.kind).image) return std::nullopt;
+  return scene;
+}
+
 bool ProjectFiles::save(Document& document, const fs::path& path) {
   try {
+    // Saved elsewhere, the files that it names are the same ones.
+    const fs::path from = projectFolderOf(document.path()), to = projectFolderOf(path);
+    if (from != to) document.apply(withAssetsNamedFrom(document.committed(), from, to), "Save elsewhere");
     plugins_.exportScene(document.committed(), path);
     document.markSaved(path);
     recent_.add(path);
@@ -84,7 +111,8 @@ std::optional<fs::path> ProjectFiles::rescue(const Document& document) {
     fs::create_directories(*folder);
     const fs::path stem = document.path().empty() ? "untitled" : document.path().stem();
     const fs::path path = *folder / ("rescued-" + stem.string() + "-" + std::to_string(getpid()) + ".srad");
-    plugins_.exportScene(document.committed(), path);
+    plugins_.exportScene(withAssetsNamedFrom(document.committed(), projectFolderOf(document.path()), {}),
+                         path);
     return path;
   } catch (const std::exception&) {
     return std::nullopt;

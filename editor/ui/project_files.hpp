@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/assets.hpp"
 #include "editor/document.hpp"
 #include "editor/recent_files.hpp"
 #include "editor/ui/messages.hpp"
@@ -20,6 +21,8 @@ class ProjectFiles {
 
   /// nullopt, with a message, when it cannot be read; nothing else changes then.
   std::optional<Document> load(const std::filesystem::path& path);
+  /// The scene with `image` on this environment light; nullopt, with a message, when it cannot be read.
+  std::optional<Scene> withSky(const Document& document, Id light, const std::filesystem::path& image);
   /// False, with a message, when it cannot be written; the old file stays and the document stays unsaved.
   bool save(Document& document, const std::filesystem::path& path);
   /// After a fault that ends the program: a copy in the state folder. The path, when it could be written.
@@ -30,9 +33,13 @@ class ProjectFiles {
   const RecentFiles& recent() const { return recent_; }
 
  private:
+  /// Reads the images that the scene names; what is missing becomes a message.
+  void loadAssets(Scene& scene, const std::filesystem::path& folder);
+
   const plugins::PluginHost& plugins_;
   Messages& messages_;
   RecentFiles recent_;
+  Assets assets_;
 };
 
 }  // namespace steradian::ui

@@ -65,7 +65,7 @@ CameraView viewOf(const ViewState& state, const Scene& scene) {
   if (!camera) return state.orbit.view();
   glm::dmat4 world = worldFromObject(scene, object->id);
   for (int i = 0; i < 3; ++i) world[i] = glm::normalize(world[i]);  // a camera ignores scale
-  return {world, camera->fovY};
+  return {world, camera->fovY, *camera};
 }
 
 void leaveCamera(ViewState& state, const Scene& scene) {

@@ -226,6 +226,17 @@ bool Fields::linearColor(const char* name, const char* help, glm::vec3& linear, 
   return changed;
 }
 
+void Fields::swatch(const char* name, const char* help, const glm::vec3& linear) {
+  begin(name, help);
+  const glm::vec3 shown = linear / std::max({linear.x, linear.y, linear.z, 1e-6f});
+  const ImVec4 encoded{srgbFromLinear(shown.x), srgbFromLinear(shown.y), srgbFromLinear(shown.z), 1.0f};
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
+  ImGui::ColorButton("##value", encoded, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                     size);
+  delayedTooltip(help);
+  end(false);
+}
+
 void Fields::note(const char* name, const std::string& text, const char* help) {
   begin(name, help);
   ImGui::AlignTextToFramePadding();

@@ -47,6 +47,8 @@ class Fields {
   bool text(const char* name, const char* help, std::string& value);
   /// Stored linear Rec. 709, shown as sRGB; `unbounded` allows components above 1.
   bool linearColor(const char* name, const char* help, glm::vec3& linear, bool unbounded = false);
+  /// A colour that only informs, linear Rec. 709 of any brightness.
+  void swatch(const char* name, const char* help, const glm::vec3& linear);
   /// A line that only informs.
   void note(const char* name, const std::string& text, const char* help = nullptr);
 

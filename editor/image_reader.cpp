@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The module behind readImage(): decodes EXR and PNG through OpenImageIO, only by the format that was asked
-// for.
+// The module behind readImage(): decodes EXR, HDR and PNG through OpenImageIO, only by the format that was
+// asked for.
 #include <OpenImageIO/imageio.h>
 
 #include <memory>
 
-#include "editor/cli/image_file.hpp"
+#include "editor/image_file.hpp"
 
 namespace {
 
-using steradian::cli::ImageFile;
+using steradian::ImageFile;
 
 // Larger claims of a header are refused before any memory is taken.
 constexpr std::int64_t kMostPixels = std::int64_t(1) << 28;
@@ -28,6 +28,7 @@ std::string decode(const std::string& path, const std::string& format, ImageFile
   file.image.pixels.resize(std::size_t(spec.width) * spec.height * spec.nchannels);
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, file.image.pixels.data()))
     return input->geterror();
+  file.channelNames = spec.channelnames;
   file.format = format;
   for (const auto& attribute : spec.extra_attribs)
     file.metadata[attribute.name().string()] = attribute.get_string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks the first bytes and hands the file to the reader module.
-#include "editor/cli/image_file.hpp"
+#include "editor/image_file.hpp"
 
 #include <dlfcn.h>
 
@@ -11,18 +11,19 @@
 
 #include "renderer/scene/error.hpp"
 
-namespace steradian::cli {
+namespace steradian {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-/// "openexr", "png" or empty.
+/// "openexr", "hdr", "png" or empty.
 std::string formatOf(const fs::path& path) {
   std::array<char, 8> head{};
   std::ifstream(path, std::ios::binary).read(head.data(), head.size());
   if (std::memcmp(head.data(), "\x76\x2f\x31\x01", 4) == 0) return "openexr";
   if (std::memcmp(head.data(), "\x89PNG\r\n\x1a\n", 8) == 0) return "png";
+  if (std::memcmp(head.data(), "#?", 2) == 0) return "hdr";
   return {};
 }
 
@@ -55,7 +56,7 @@ ImageFile readImage(const fs::path& path) {
   if (!std::ifstream(path))
     throw Error(ExitCode::io, path.string() + ": cannot be opened: " + std::strerror(errno));
   const std::string format = formatOf(path);
-  if (format.empty()) throw Error(ExitCode::badInput, path.string() + ": is neither an EXR nor a PNG image");
+  if (format.empty()) throw Error(ExitCode::badInput, path.string() + ": is not an EXR, HDR or PNG image");
   ImageFile file;
   std::string reason;
   loadReader()(path.string(), format, file, reason);
@@ -64,4 +65,4 @@ ImageFile readImage(const fs::path& path) {
   return file;
 }
 
-}  // namespace steradian::cli
+}  // namespace steradian

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The --aov option of steradian render: names to layers of the image file.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plugins/host/plugin_host.hpp"
+#include "renderer/renderer.hpp"
+
+namespace steradian::cli {
+
+/// "albedo,normal" or "all", in the order given, each once. Throws Error(usage): a name is unknown, none of
+/// the outputs is an EXR file, or the variance is asked for without the meter.
+std::vector<Aov> parseAovs(const std::string& text, const std::vector<std::filesystem::path>& outputs,
+                           bool errorMeter);
+
+/// What the layers of the file hold, from the renderer's film and first hits.
+std::vector<plugins::ImageLayer> aovLayers(Renderer& renderer, const std::vector<Aov>& kinds);
+
+}  // namespace steradian::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A part of a still: the sums over some of its samples, to be merged with the others without loss.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "plugins/host/plugin_host.hpp"
+#include "renderer/film_sums.hpp"
+
+namespace steradian {
+
+/// All that must agree between parts of one picture, and where this one stands.
+struct PartOrigin {
+  std::string scene;    // Renderer::sceneFingerprint() in hexadecimal: scene, view, size, settings, seed
+  std::string version;  // of the program: another one may sample differently
+  std::string project;  // for people
+  std::uint32_t seed = 0;
+  bool errorMeter = false;           // samples lie in two half-buffers, even and odd
+  std::uint64_t begin = 0, end = 0;  // sample indices
+  std::uint64_t nan = 0;             // samples that were dropped
+  std::set<std::string> devices;
+  bool operator==(const PartOrigin&) const = default;
+};
+
+/// The exact sums: terms[half][k] are images of 3 channels whose sum over k is the sum of the samples. The
+/// first is the float nearest to it, the next the float nearest to what is left, until nothing is: one value,
+/// one form.
+struct Part {
+  PartOrigin origin;
+  int width = 0, height = 0;
+  std::array<std::vector<Image>, 2> terms;
+  bool operator==(const Part&) const = default;
+};
+
+/// A render's sums as a part. Throws Error(failed) when a row holds more samples than another or a sum is
+/// not finite.
+Part partOf(const FilmSums& sums, PartOrigin origin);
+
+/// The sum of all parts, the same for any order and any grouping. Throws Error(badInput), naming the parts by
+/// `names`, when they are of other scenes, overlap, leave a gap, or hold a sum that is not finite.
+Part merged(std::vector<Part> parts, std::vector<std::string> names);
+
+/// Mean over all samples, rounded once.
+Image meanOf(const Part& part);
+/// From the half-buffers, as the meter does it on the device; not valid without them.
+ErrorEstimate errorOf(const Part& part);
+
+/// As layers sumA.0, sumA.1 ... sumB.0 ... and metadata of an EXR file.
+std::vector<plugins::ImageLayer> layersOf(const Part& part);
+std::map<std::string, std::string> partMetadata(const PartOrigin& origin);
+/// The reverse. Throws Error(badInput) naming the file when it is not a part.
+Part readPart(const std::string& file, const Image& pixels, const std::vector<std::string>& channelNames,
+              const std::map<std::string, std::string>& metadata);
+
+}  // namespace steradian
