@@ -26,7 +26,8 @@ TEST(Report, has_exactly_the_documented_keys) {
   EXPECT_EQ(keys(json["seconds"]),
             (std::set<std::string>{"load", "compile", "firstPixel", "trace", "total"}));
   EXPECT_EQ(keys(json["rays"]), (std::set<std::string>{"closest", "shadow"}));
-  EXPECT_EQ(keys(json["error"]), (std::set<std::string>{"rmse", "relRmse", "slope"}));
+  EXPECT_EQ(keys(json["error"]), (std::set<std::string>{"rmse", "relRmse", "slope", "tails"}));
+  EXPECT_EQ(keys(json["error"]["tails"]), (std::set<std::string>{"share", "pixels", "heavy"}));
   EXPECT_EQ(keys(json["variant"]), (std::set<std::string>{"specialized", "features", "leftOut"}));
 }
 

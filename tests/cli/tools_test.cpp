@@ -62,6 +62,43 @@ TEST(Tools, convert_writes_a_project_that_reads_back_the_same) {
   EXPECT_EQ(sandbox.run({"convert", project("hello"), sandbox.path("a.xyz")}).exitCode, 2);
 }
 
+TEST(Tools, every_shipped_project_opens_with_all_it_names) {
+  const Sandbox sandbox;
+  int projects = 0;
+  for (const auto& folder : std::filesystem::directory_iterator(STERADIAN_PROJECTS)) {
+    const Outcome outcome = sandbox.run({"info", "--json", folder.path()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "README.md")) << folder.path();
+    for (const auto& [file, size] : json::parse(outcome.out)["images"].items())
+      EXPECT_NE(size, "missing") << file;
+    ++projects;
+  }
+  EXPECT_GE(projects, 11);
+}
+
+TEST(Tools, a_missing_sky_is_a_warning_for_info_and_ends_render_with_3) {
+  const Sandbox sandbox;
+  std::ofstream(sandbox.path("a.srad"))
+      << R"({"steradian": 1, "objects": [{"name": "Sky", "environmentLight": {"file": "lost.exr"}}]})";
+  const Outcome info = sandbox.run({"info", "--json", sandbox.path("a.srad")});
+  EXPECT_EQ(info.exitCode, 0);
+  EXPECT_EQ(json::parse(info.out)["images"]["lost.exr"], "missing");
+  EXPECT_NE(info.err.find("lost.exr"), std::string::npos) << info.err;
+  const Outcome render = sandbox.run({"render", sandbox.path("a.srad"), "-o", sandbox.path("a.exr")});
+  EXPECT_EQ(render.exitCode, 3);
+  EXPECT_EQ(lines(render.err), 1) << render.err;
+  EXPECT_NE(render.err.find("lost.exr"), std::string::npos) << render.err;
+  EXPECT_FALSE(std::filesystem::exists(sandbox.path("a.exr")));
+}
+
+TEST(Tools, convert_names_a_sky_from_the_new_place) {
+  const Sandbox sandbox;
+  const Outcome outcome = sandbox.run({"convert", project("sky"), sandbox.path("a.srad")});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(sandbox.run({"info", sandbox.path("a.srad")}).err, "");
+}
+
 TEST(Tools, results_that_cannot_be_written_end_with_5) {
   const std::string command = std::string("'") + STERADIAN_BINARY + "' plugins > /dev/full 2> /dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 5);

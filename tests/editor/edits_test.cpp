@@ -43,15 +43,19 @@ TEST(Edits, add_every_kind_under_a_free_name) {
   for (const Shape& shape :
        {Shape{Sphere{}}, Shape{Plane{}}, Shape{Box{}}, Shape{Rect{}}, Shape{Disk{}}, Shape{Cylinder{}}})
     scene = e::addShape(scene, shape).scene;
-  for (const Light& light : {Light{PointLight{}}, Light{SpotLight{}}, Light{DirectionalLight{}}})
+  for (const Light& light :
+       {Light{PointLight{}}, Light{SpotLight{}}, Light{DirectionalLight{}}, Light{SphereLight{}},
+        Light{RectLight{}}, Light{DiskLight{}}, Light{EnvironmentLight{}}})
     scene = e::addLight(scene, light).scene;
   scene = e::addCamera(scene, {}).scene;
   scene = e::addGroup(scene).scene;
   scene = e::addShape(scene, Sphere{}).scene;
-  const char* names[] = {"Sphere",      "Plane",      "Box",
-                         "Rect",        "Disk",       "Cylinder",
-                         "Point light", "Spot light", "Directional light",
-                         "Camera",      "Group",      "Sphere.001"};
+  const char* names[] = {"Sphere",       "Plane",      "Box",
+                         "Rect",         "Disk",       "Cylinder",
+                         "Point light",  "Spot light", "Directional light",
+                         "Sphere light", "Rect light", "Disk light",
+                         "Environment",  "Camera",     "Group",
+                         "Sphere.001"};
   ASSERT_EQ(scene.objects.size(), std::size(names));
   for (std::size_t i = 0; i < std::size(names); ++i) EXPECT_EQ(scene.objects[i].name, names[i]);
   EXPECT_EQ(scene.activeCamera, findByName(scene, "Camera")->id);

@@ -79,9 +79,16 @@ class RandomEditor {
     return shapes[upTo(6)];
   }
   Light light() {
-    const Light lights[] = {{PointLight{}}, {SpotLight{}}, {DirectionalLight{}}};
-    Light light = lights[upTo(3)];
+    const Light lights[] = {{PointLight{}},
+                            {SpotLight{}},
+                            {DirectionalLight{float(real())}},
+                            {SphereLight{real()}},
+                            {RectLight{{real(), 2.0}}},
+                            {DiskLight{real()}},
+                            {EnvironmentLight{.horizon = glm::vec3(float(real()))}}};
+    Light light = lights[upTo(7)];
     light.intensity = float(real());
+    if (upTo(2)) light.temperature = float(1000.0 + 1000.0 * real());
     return light;
   }
   e::Content content(const Scene& scene) {
@@ -98,14 +105,22 @@ class RandomEditor {
     if (!found) return e::addMaterial(scene).scene;
     Material changed = *found;
     changed.roughness = float(real());
+    changed.transmission = float(real());
+    changed.attenuationColor = glm::vec3(float(real()));
+    changed.clearcoat = float(real());
+    changed.edgeTint.y = float(real());
     changed.name = "M" + std::to_string(upTo(3));
     return e::setMaterial(scene, changed);
   }
   Scene settings(const Scene& scene) {
     RenderSettings render = scene.render;
     render.maxBounces = int(upTo(65));
+    render.energyCompensation = upTo(2) == 0;
+    render.clamp = float(real());
     DisplaySettings display = scene.display;
     display.exposure = float(real());
+    display.physical = upTo(2) == 0;
+    display.ev100 = float(real());
     return e::setDisplay(e::setRender(scene, render), display);
   }
   Scene keyed(const Scene& scene) {

@@ -2,66 +2,15 @@
 // A first user's task in the real window: open, add, edit, undo, export, quit; pixels and files are asserted.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <thread>
 
-#include "plugins/host/plugin_host.hpp"
-#include "tests/gui/driver.hpp"
+#include "tests/gui/editor_task.hpp"
 
 namespace steradian::test {
 namespace {
 
-namespace fs = std::filesystem;
-using namespace std::chrono_literals;
-
-class FirstTask : public testing::Test {
- protected:
-  FirstTask() {
-    char name[] = "/tmp/steradian-gui-XXXXXX";
-    folder_ = mkdtemp(name);
-    fs::copy(fs::path(STERADIAN_TEST_PROJECTS) / "hello", folder_ / "hello", fs::copy_options::recursive);
-    screen_.emplace(folder_, 1040, 720);
-  }
-  ~FirstTask() override {
-    screen_.reset();
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
-  /// The picture after it came to rest, so that two of them hold the same samples.
-  Image restingPicture(Driver& editor) {
-    std::this_thread::sleep_for(1500ms);  // the edit is taken and sampling has started over
-    editor.await("status/done", 120s);
-    return editor.picture("viewport");
-  }
-
-  void keepScreenshot(const std::string& name) {
-    const fs::path folder = STERADIAN_TEST_ARTEFACTS;
-    fs::create_directories(folder);
-    const Image shot = screen_->read();
-    const plugins::PluginHost host({STERADIAN_TEST_PLUGINS});
-    host.exportImage({shot.width, shot.height, shot.pixels.data(), shot.pixels.data(), {}},
-                     folder / (name + ".png"));
-  }
-
-  void openHello(Driver& editor) {
-    editor.key("ctrl+o");
-    editor.await("browser/name");
-    editor.type((folder_ / "hello" / "hello.srad").string());
-    editor.click("browser/accept");
-    ASSERT_TRUE(editor.awaitTitle("hello.srad - Steradian")) << editor.title();
-  }
-
-  void restAfter16Samples(Driver& editor) {
-    editor.click("menu/View");
-    editor.click("View/Rest after");
-    editor.click("Rest after/16 samples");
-  }
-
-  fs::path folder_;
-  std::optional<Screen> screen_;
-};
+using FirstTask = EditorTask;
 
 TEST_F(FirstTask, open_add_a_sphere_roughen_it_undo_export_and_quit) {
   Driver editor(*screen_, folder_);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/image.hpp"
+#include "renderer/scene/image.hpp"
 
 namespace steradian::test {
 

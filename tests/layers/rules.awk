@@ -39,7 +39,7 @@ function may_see(from, to) {
   if (from == to) return 1
   if (from == "plugin") return to == "plugins/sdk"
   if (from == "renderer/scene") return to == "plugins/sdk"
-  if (from == "plugins/host") return to ~ /^(plugins\/sdk|renderer\/scene)$/ || header == "renderer/image.hpp"
+  if (from == "plugins/host") return to ~ /^(plugins\/sdk|renderer\/scene)$/ || header == "renderer/scene/image.hpp"
   if (from ~ /^renderer/) return to ~ /^(plugins\/sdk|renderer|renderer\/scene|renderer\/gpu|shaders)$/
   if (from == "editor/ui") return to ~ /^(plugins\/(sdk|host)|renderer|renderer\/scene|editor)$/
   if (from == "editor/cli") {

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "renderer/scene/validate.hpp"
+#include "tests/renderer/feature_scenes.hpp"
 #include "tests/renderer/renderer_fixture.hpp"
-#include "tests/renderer/scenes.hpp"
 
 namespace steradian {
 namespace {
@@ -28,6 +28,8 @@ class SceneDice {
     scene.render.lightSamples = 1 + below(3);
     scene.render.filter = below(2) ? PixelFilter::box : PixelFilter::blackmanHarris;
     scene.render.russianRoulette = below(2) == 0;
+    scene.render.energyCompensation = below(2) == 0;
+    scene.render.clamp = below(4) == 0 ? float(length()) : 0.0f;
     scene.render.seed = std::uint32_t(engine_());
     return scene;
   }
@@ -37,7 +39,13 @@ class SceneDice {
     const dvec3 target = scene.objects[below(int(scene.objects.size()))].transform.translation;
     const dvec3 eye = below(3) == 0 ? target : target + direction() * length();
     const double fov = below(8) == 0 ? 3.14 : 0.01 + 2.0 * unit();
-    return {matrixOf({eye, eye == target ? facing(direction()) : facing(target - eye), dvec3(1.0)}), fov};
+    CameraView view{matrixOf({eye, eye == target ? facing(direction()) : facing(target - eye), dvec3(1.0)}),
+                    fov};
+    view.lens.fNumber = below(3) == 0 ? length() : 0.0;
+    view.lens.focusDistance = length();
+    view.lens.orthographicHeight = length();
+    if (below(4) == 0) view.lens.projection = Projection::orthographic;
+    return view;
   }
 
  private:
@@ -80,23 +88,47 @@ class SceneDice {
     m.roughness = roughness[below(6)];
     m.specular = edgy(0, 1);
     m.ior = below(3) == 0 ? 1.0f : edgy(1.0f, 1000.0f);
+    m.transmission = below(3) == 0 ? edgy(0, 1) : 0.0f;
+    m.attenuationColor = {edgy(1e-3f, 1), edgy(1e-3f, 1), edgy(1e-3f, 1)};
+    m.attenuationDistance = below(2) ? float(length()) : 0.0f;
+    m.clearcoat = below(3) == 0 ? edgy(0, 1) : 0.0f;
+    m.clearcoatRoughness = roughness[below(6)];
+    m.edgeTint = {edgy(0, 1), edgy(0, 1), edgy(0, 1)};
     m.emissionLuminance = below(3) == 0 ? float(length()) : 0.0f;
     return m;
   }
   void addAnyLight(Scene& scene) {
     const Transform where{direction() * length(), facing(direction()), dvec3(1.0)};
     const float power = float(length());
-    switch (below(3)) {
+    switch (below(7)) {
       case 0:
         addLight(scene, where, PointLight{}, power);
         break;
       case 1:
         addLight(scene, where, SpotLight{0.0f, edgy(1e-3f, 1.57f)}, power);
         break;
+      case 2:
+        addLight(scene, where, DirectionalLight{below(2) ? edgy(1e-6f, 1.57f) : 0.0f}, power);
+        break;
+      case 3:
+        addLight(scene, where, SphereLight{length()}, power);
+        break;
+      case 4:
+        addLight(scene, where, RectLight{{length(), length()}}, power);
+        break;
+      case 5:
+        addLight(scene, where, DiskLight{length()}, power);
+        break;
       default:
-        addLight(scene, where, DirectionalLight{}, power);
+        addSky(scene, where, power);
         break;
     }
+  }
+
+  void addSky(Scene& scene, const Transform& where, float power) {
+    EnvironmentLight sky{glm::vec3(edgy(0, 1)), glm::vec3(edgy(0, 1))};
+    if (below(2)) sky.image = skyImage();
+    addLight(scene, where, sky, power);
   }
 
   std::mt19937_64 engine_;

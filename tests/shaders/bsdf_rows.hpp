@@ -9,21 +9,30 @@
 
 namespace steradian::kernel {
 
-inline constexpr float diffuseBit = 1, glossyBit = 2, mirrorBit = 4;
+inline constexpr float diffuseBit = 1, glossyBit = 2, mirrorBit = 4, transmissionBit = 8, coatBit = 16,
+                       edgeBit = 32;
+inline constexpr std::size_t bsdfRows = 9;
 
 struct Material {
   glm::vec3 diffuse{0.0f}, f0{1.0f};
-  float f90 = 1.0f;
+  glm::vec3 f90{1.0f};
   float dielectricF0 = 0.0f, dielectricF90 = 0.0f;
   float alpha = 0.5f;
   float lobes = glossyBit;
+  glm::vec3 edge{0.0f};
+  float exact = 0.0f, exactLoss = 0.0f;
+  glm::vec3 transmit{0.0f};
+  float eta = 1.5f;
+  bool thin = false;
+  float coat = 0.0f, coatAlpha = 1.0f;
+  float transmitChance = 0.0f, coatChance = 0.0f;
 };
 
 /// glTF's mixture (appendix B) as the host and scene.glsl make it.
 inline Material gltf(glm::vec3 albedo, float metallic, float alpha, float dielectricF0 = 0.04f) {
   return {albedo * (1.0f - metallic),
           glm::mix(glm::vec3(dielectricF0), albedo, metallic),
-          1.0f,
+          glm::vec3(1.0f),
           dielectricF0,
           1.0f,
           alpha,
@@ -39,7 +48,9 @@ inline Material lobes(Material material, float bits) {
 inline void pushBsdf(Rows& rows, const Material& m, glm::vec3 wo, glm::vec3 second, float chance) {
   rows.insert(rows.end(),
               {glm::vec4(wo, m.alpha), glm::vec4(second, chance), glm::vec4(m.diffuse, m.dielectricF0),
-               glm::vec4(m.f0, m.dielectricF90), glm::vec4(m.f90, 0, 0, m.lobes)});
+               glm::vec4(m.f0, m.dielectricF90), glm::vec4(m.f90, m.lobes), glm::vec4(m.edge, m.exact),
+               glm::vec4(m.transmit, m.eta), glm::vec4(m.coat, m.coatAlpha, m.transmitChance, m.coatChance),
+               glm::vec4(m.thin, m.exactLoss, 0, 0)});
 }
 
 inline glm::dvec3 direction(double cosine, double azimuth) {

@@ -110,6 +110,20 @@ std::vector<Tonemapper> tonemappers() {
   return all;
 }
 
+TEST_F(DisplayPass, physical_exposure_saturates_at_1_2_times_2_to_the_ev100) {
+  DisplaySettings settings{.physical = true, .ev100 = 15.0f, .transfer = Transfer::gamma, .gamma = 1.0f};
+  const float white = 1.2f * 32768.0f;
+  const std::vector<glm::vec3> nit{glm::vec3(white), glm::vec3(white / 4), glm::vec3(0)};
+  const auto shown = show(identity, settings, nit);
+  EXPECT_NEAR(shown[0].x, 1.0f, 1e-6f);
+  EXPECT_NEAR(shown[1].y, 0.25f, 1e-6f);
+  EXPECT_EQ(shown[2].z, 0.0f);
+  settings.exposure = 1.0f;  // the stops come on top
+  EXPECT_NEAR(show(identity, settings, nit)[1].x, 0.5f, 1e-6f);
+  settings.physical = false;  // the EV of an exposure that is off changes nothing
+  EXPECT_NEAR(show(identity, settings, {glm::vec3(0.25f)})[0].x, 0.5f, 1e-6f);
+}
+
 TEST_F(DisplayPass, every_tonemapper_maps_black_to_black_and_greys_in_order) {
   const std::vector<Tonemapper> all = tonemappers();
   ASSERT_GE(all.size(), 6u);

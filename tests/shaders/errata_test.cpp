@@ -30,7 +30,7 @@ class Errata : public KernelTest {
   static glm::vec4 evaluate(const Material& material, glm::dvec3 wo, glm::dvec3 wi, float chance = 0.5f) {
     Rows rows;
     pushBsdf(rows, material, glm::vec3(wo), glm::vec3(wi), chance);
-    return run(bsdf, {.operation = 0, .rowsIn = 5}, rows)[0];
+    return run(bsdf, {.operation = 0, .rowsIn = bsdfRows}, rows)[0];
   }
   static glm::vec4 distribution(glm::dvec3 h, double alpha, double cosO, double cosI) {
     const Rows rows = {glm::vec4(glm::vec3(h), alpha), glm::vec4(cosO, cosI, 0, 0)};
@@ -113,7 +113,7 @@ TEST_F(Errata, row42_9_reflection_leaves_the_surface) {
   for (const double cosine : {1.0, 0.5, 0.1}) {
     Rows rows;
     pushBsdf(rows, mirror, glm::vec3(direction(cosine, 0.4)), {0.5f, 0.5f, 0}, 1.0f);
-    const glm::dvec3 out = xyz(run(bsdf, {.operation = 1, .rowsIn = 5, .rowsOut = 3}, rows)[0]);
+    const glm::dvec3 out = xyz(run(bsdf, {.operation = 1, .rowsIn = bsdfRows, .rowsOut = 3}, rows)[0]);
     EXPECT_LT(length(out - direction(cosine, 0.4 + M_PI)), 1e-6);
   }
   const glm::dvec3 l = direction(0.5, 0), n(0, 0, 1);
@@ -204,10 +204,18 @@ TEST_F(Errata, row42_21_light_falls_off_with_the_square_of_the_distance) {
   Task task = sceneTask(2, &gpu::TraceParams::sphereCount, {glm::vec4(0, 0, -5, 1)});
   // A point light of 10 cd; a spot whose edge lies between cosines 0.8 and 0.9; a directional light of 3 lx.
   const float scale = 1 / (0.9f - 0.8f);
-  const Rows lights = {
-      {0, 2, 0, float(gpu::LIGHT_POINT)},       {10, 10, 10, 0},     {},
-      {0, 2, 0, float(gpu::LIGHT_SPOT)},        {10, 10, 10, scale}, {0, -1, 0, -0.8f * scale},
-      {0, 1, 0, float(gpu::LIGHT_DIRECTIONAL)}, {3, 3, 3, 0},        {}};
+  const Rows lights = {{0, 2, 0, float(gpu::LIGHT_POINT)},
+                       {10, 10, 10, 0},
+                       {},
+                       {},
+                       {0, 2, 0, float(gpu::LIGHT_SPOT)},
+                       {10, 10, 10, scale},
+                       {0, -1, 0, -0.8f * scale},
+                       {},
+                       {0, 1, 0, float(gpu::LIGHT_DIRECTIONAL)},
+                       {3, 3, 3, 0},
+                       {},
+                       {}};
   task.scene.insert(task.scene.end(), lights.begin(), lights.end());
   task.rowsIn = 1, task.rowsOut = 2;
   const double tangent = std::sqrt(1 - 0.85 * 0.85) / 0.85;

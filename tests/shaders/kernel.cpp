@@ -13,7 +13,7 @@ namespace steradian::kernel {
 namespace {
 
 constexpr std::size_t groupSize = 64, groupsPerRow = 1024;
-constexpr std::uint32_t operationConstant = 32;
+constexpr std::uint32_t operationConstant = 64;
 
 gpu::Buffer upload(const gpu::Device& device, Rows rows, std::size_t atLeast) {
   rows.resize(std::max({rows.size(), atLeast, std::size_t(1)}));
@@ -42,12 +42,13 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
   const std::size_t padded = groupsX * groupsY * groupSize;
   const gpu::Device& device = *device_;
   const gpu::Buffer scene = upload(device, task.scene, 1);
+  const gpu::Buffer tables = upload(device, task.tables, 1);
   const gpu::Buffer in = upload(device, questions, padded * task.rowsIn);
   const gpu::Buffer out(device, gpu::BufferKind::deviceLocal, padded * task.rowsOut * sizeof(glm::vec4),
                         "kernel answers");
   const std::array<const gpu::Buffer*, gpu::storageBindings> storage = {nullptr, nullptr, nullptr, nullptr,
                                                                         nullptr, &in,     &out};
-  const gpu::Bindings bindings(device, &scene, storage);
+  const gpu::Bindings bindings(device, &scene, storage, &tables);
   std::vector<std::byte> push = task.push;
   push.resize(gpu::pushConstantBytes);  // what a shader names must be set, used or not
   const gpu::Specialization operation{operationConstant, task.operation};

@@ -31,7 +31,8 @@ struct Task {
   std::size_t rowsOut = 1;      // per invocation
   std::size_t invocations = 0;  // 0 = as many as the questions need
   std::vector<std::byte> push = {};
-  Rows scene = {};  // binding 0
+  Rows scene = {};   // binding 0
+  Rows tables = {};  // binding 8
 };
 
 template <class Push>

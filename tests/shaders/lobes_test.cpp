@@ -8,6 +8,7 @@
 #include "shaders/kernel_bsdf.comp.h"
 #include "shaders/kernel_sampling.comp.h"
 #include "tests/shaders/bsdf_rows.hpp"
+#include "tests/shaders/chi_square.hpp"
 
 namespace steradian::kernel {
 namespace {
@@ -17,52 +18,6 @@ const Kernel sampling{kernel_sampling_spirv, "sampling"};
 constexpr std::size_t samples = 1000000;
 
 class Lobes : public KernelTest {};
-
-using Density = std::function<oracle::Real(oracle::Vec)>;  // per steradian, upper hemisphere
-
-/// p-value of the hypothesis that `drawn` (one per `stride` rows) has this density; what lies below the
-/// horizon falls into one bin. 101 x 202 bins, those that expect fewer than 5 pooled.
-double chiSquare(const Rows& drawn, std::size_t stride, const Density& density) {
-  constexpr int rings = 101, sectors = 202;
-  std::vector<double> seen(rings * sectors + 1, 0.0), expected(rings * sectors + 1, 0.0);
-  const std::size_t count = drawn.size() / stride;
-  for (std::size_t i = 0; i < count; ++i) {
-    const glm::vec4 d = drawn[i * stride];
-    const double turn = std::atan2(double(d.y), double(d.x)) / (2 * M_PI);
-    const int ring = std::min(rings - 1, int(double(d.z) * rings));
-    const int sector = std::min(sectors - 1, int((turn < 0 ? turn + 1 : turn) * sectors));
-    seen[d.z > 0 ? std::size_t(ring * sectors + sector) : rings * sectors] += 1;
-  }
-  const oracle::Gauss<8> gauss = oracle::gauss8();
-  double above = 0;
-  for (int bin = 0; bin < rings * sectors; ++bin) {
-    double share = 0;
-    for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t k = 0; k < 8; ++k) {
-        const double cosine = (bin / sectors + gauss.x[i]) / rings;
-        const double turn = 2 * M_PI * (bin % sectors + gauss.x[k]) / sectors;
-        share += gauss.w[i] * gauss.w[k] * double(density(oracle::Vec(direction(cosine, turn))));
-      }
-    expected[std::size_t(bin)] = share * 2 * M_PI / (rings * sectors) * double(count);
-    above += expected[std::size_t(bin)];
-  }
-  expected.back() = std::max(0.0, double(count) - above);
-  double statistic = 0, pooledSeen = 0, pooledExpected = 0;
-  int bins = 0;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (expected[i] < 5) {
-      pooledSeen += seen[i], pooledExpected += expected[i];
-      continue;
-    }
-    statistic += (seen[i] - expected[i]) * (seen[i] - expected[i]) / expected[i];
-    ++bins;
-  }
-  if (pooledExpected >= 5) {
-    statistic += (pooledSeen - pooledExpected) * (pooledSeen - pooledExpected) / pooledExpected;
-    ++bins;
-  }
-  return oracle::chiSquareP(statistic, bins - 1);
-}
 
 constexpr double significance = 0.001;  // 0.01 over ten tests (Sidak)
 
@@ -113,7 +68,7 @@ oracle::Real mixtureValue(const Material& m, oracle::Vec wo, oracle::Vec wi, int
   if (int(m.lobes) & 1)
     f += m.diffuse[channel] * (1 - oracle::schlick(m.dielectricF0, m.dielectricF90, cosine)) * wi.z / M_PIl;
   if (int(m.lobes) & 2)
-    f += oracle::schlick(m.f0[channel], m.f90, cosine) * oracle::ggxD(h, a) * oracle::g2(wo, wi, a) /
+    f += oracle::schlick(m.f0[channel], m.f90.x, cosine) * oracle::ggxD(h, a) * oracle::g2(wo, wi, a) /
          (4 * wo.z);
   return f;
 }
@@ -202,7 +157,7 @@ TEST_F(Lobes, a_mirror_reflects_and_weighs_by_fresnel) {
   mirror.lobes = mirrorBit + glossyBit;
   Rows rows;
   pushBsdf(rows, mirror, glm::vec3(direction(0.5, 1.0)), {0.3f, 0.7f, 0}, 1.0f);
-  const Rows answers = run(bsdf, {.operation = 1, .rowsIn = 5, .rowsOut = 3}, rows);
+  const Rows answers = run(bsdf, {.operation = 1, .rowsIn = bsdfRows, .rowsOut = 3}, rows);
   const glm::dvec3 wo = xyz(rows[0]);
   EXPECT_LT(length(xyz(answers[0]) - glm::dvec3(-wo.x, -wo.y, wo.z)), 1e-6);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(answers[1][c], oracle::schlick(mirror.f0[c], 1, 0.5L), 1e-6);
@@ -230,12 +185,12 @@ TEST_F(Lobes, the_chance_of_the_specular_lobe_never_starves_a_lobe) {
   Rows rows;
   pushBsdf(rows, gltf(glm::vec3(0.0f), 1.0f, 0.5f), {0, 0, 1}, {0, 0, 1}, 0);  // no diffuse
   Material chalk = gltf(glm::vec3(0.5f), 0.0f, 0.5f, 0.0f);
-  chalk.f90 = 0.0f, chalk.dielectricF90 = 0.0f;
+  chalk.f90 = glm::vec3(0.0f), chalk.dielectricF90 = 0.0f;
   pushBsdf(rows, chalk, {0, 0, 1}, {0, 0, 1}, 0);
   for (int i = 0; i < 1000; ++i)
     pushBsdf(rows, gltf(glm::vec3(random.uniform(0.01, 1)), float(random.uniform(0, 0.99)), 0.5f),
              glm::vec3(direction(random.uniform(), 0)), {0, 0, 1}, 0);
-  const Rows answers = run(bsdf, {.operation = 6, .rowsIn = 5}, rows);
+  const Rows answers = run(bsdf, {.operation = 6, .rowsIn = bsdfRows}, rows);
   EXPECT_EQ(answers[0].x, 1.0f);
   EXPECT_EQ(answers[1].x, 0.0f);
   for (std::size_t i = 2; i < answers.size(); ++i)

@@ -11,7 +11,7 @@ namespace steradian::kernel {
 namespace {
 
 const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
-const Task evaluate{.operation = 0, .rowsIn = 5};
+const Task evaluate{.operation = 0, .rowsIn = bsdfRows};
 const Task evaluateWhite{.operation = 3, .rowsIn = 2};
 const Task distribution{.operation = 4, .rowsIn = 2};
 const Task evaluateWorld{.operation = 7, .rowsIn = 3};
@@ -172,8 +172,8 @@ TEST_F(Microfacets, row26_light_and_eye_may_be_exchanged) {
   }
   const Rows f = run(bsdf, evaluate, there), g = run(bsdf, evaluate, back);
   for (std::size_t i = 0; i < f.size(); ++i) {
-    const glm::dvec3 one = xyz(f[i]) / double(there[5 * i + 1].z),
-                     other = xyz(g[i]) / double(back[5 * i + 1].z);
+    const glm::dvec3 one = xyz(f[i]) / double(there[bsdfRows * i + 1].z),
+                     other = xyz(g[i]) / double(back[bsdfRows * i + 1].z);
     for (int c = 0; c < 3; ++c) ASSERT_NEAR(one[c] / other[c], 1.0, 1e-5) << i;
   }
 }

@@ -5,7 +5,7 @@
 #define KERNEL_GLSL
 
 layout(local_size_x = 64) in;
-layout(constant_id = 32) const uint kOperation = 0u;
+layout(constant_id = 64) const uint kOperation = 0u;
 layout(set = 0, binding = 6) readonly buffer Questions { vec4 questions[]; };
 layout(set = 0, binding = 7) writeonly buffer Answers { vec4 answers[]; };
 

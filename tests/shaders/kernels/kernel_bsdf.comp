@@ -3,44 +3,59 @@
 // bsdf.glsl: lobes evaluated and sampled.
 #extension GL_GOOGLE_include_directive : require
 #include "kernel.glsl"
-#include "bsdf.glsl"
+#include "bsdf_sampling.glsl"
 #include "random.glsl"
 
-Lobes lobesOf(vec3 diffuse, vec3 f0, float f90, vec2 dielectric, float alpha) {
-  Lobes lobes;
-  lobes.diffuse = diffuse;
-  lobes.f0 = f0;
-  lobes.f90 = f90;
-  lobes.dielectricF0 = dielectric.x;
-  lobes.dielectricF90 = dielectric.y;
+const LobeKinds kFacets = LobeKinds(false, true, false, false, false, false);
+Lobes whiteFacets(float alpha) {
+  Lobes lobes = noLobes();
+  lobes.f0 = vec3(1.0);
+  lobes.f90 = vec3(1.0);
   lobes.alpha = alpha;
+  lobes.chance = 1.0;
   return lobes;
 }
-Lobes whiteFacets(float alpha) { return lobesOf(vec3(0.0), vec3(1.0), 1.0, vec2(0.0), alpha); }
 
-// Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, -, -, lobe bits).
+const uint kRows = 9u;
+// Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, lobe bits)
+//       (edge, exact) (transmit, eta) (coat, coat alpha, transmit chance, coat chance) (thin, exact loss, -, -).
 struct Question {
   Lobes lobes;
   vec3 wo;
   vec3 second;
-  float chance;
-  bool diffuseOn, glossyOn, mirrorOn;
+  LobeKinds kinds;
 };
 
-Question fetchQuestion(uint first) {
-  vec4 a = questions[first];
-  vec4 b = questions[first + 1u];
-  vec4 c = questions[first + 2u];
-  vec4 d = questions[first + 3u];
-  vec4 e = questions[first + 4u];
-  uint bits = uint(e.w);
-  return Question(lobesOf(c.xyz, d.xyz, e.x, vec2(c.w, d.w), a.w), a.xyz, b.xyz, b.w, (bits & 1u) != 0u,
-                  (bits & 2u) != 0u, (bits & 4u) != 0u);
+Question fetchQuestion(uint at) {
+  vec4 rows[kRows];
+  for (uint i = 0u; i < kRows; ++i) rows[i] = questions[kRows * at + i];
+  Lobes lobes;
+  lobes.alpha = rows[0].w;
+  lobes.chance = rows[1].w;
+  lobes.diffuse = rows[2].xyz;
+  lobes.dielectricF0 = rows[2].w;
+  lobes.f0 = rows[3].xyz;
+  lobes.dielectricF90 = rows[3].w;
+  lobes.f90 = rows[4].xyz;
+  lobes.edge = rows[5].xyz;
+  lobes.exact = rows[5].w;
+  lobes.transmit = rows[6].xyz;
+  lobes.eta = rows[6].w;
+  lobes.coat = rows[7].x;
+  lobes.coatAlpha = rows[7].y;
+  lobes.transmitChance = rows[7].z;
+  lobes.coatChance = rows[7].w;
+  lobes.thin = rows[8].x != 0.0;
+  lobes.exactLoss = rows[8].y;
+  uint bits = uint(rows[4].w);
+  LobeKinds kinds = LobeKinds((bits & 1u) != 0u, (bits & 2u) != 0u, (bits & 4u) != 0u, (bits & 8u) != 0u,
+                              (bits & 16u) != 0u, (bits & 32u) != 0u);
+  return Question(lobes, rows[0].xyz, rows[1].xyz, kinds);
 }
 
 void answerSample(uint at, Question q, float u, float v) {
-  BsdfSample s = sampleBsdf(q.lobes, q.wo, u, v, q.chance, q.diffuseOn, q.glossyOn, q.mirrorOn);
-  BsdfValue value = evalBsdf(q.lobes, q.wo, s.wi, q.chance, q.diffuseOn, q.glossyOn);
+  BsdfSample s = sampleBsdf(q.lobes, q.wo, u, v, q.kinds);
+  BsdfValue value = evalBsdf(q.lobes, q.wo, s.wi, q.kinds);
   answers[3u * at] = vec4(s.wi, 0.0);
   answers[3u * at + 1u] = vec4(s.weight, 0.0);
   answers[3u * at + 2u] = vec4(value.fCos, value.pdf);
@@ -49,11 +64,11 @@ void answerSample(uint at, Question q, float u, float v) {
 void main() {
   uint at = invocation();
   if (kOperation == 0u) {
-    Question q = fetchQuestion(5u * at);
-    BsdfValue value = evalBsdf(q.lobes, q.wo, q.second, q.chance, q.diffuseOn, q.glossyOn);
+    Question q = fetchQuestion(at);
+    BsdfValue value = evalBsdf(q.lobes, q.wo, q.second, q.kinds);
     answers[at] = vec4(value.fCos, value.pdf);
   } else if (kOperation == 1u) {
-    Question q = fetchQuestion(5u * at);
+    Question q = fetchQuestion(at);
     answerSample(at, q, q.second.x, q.second.y);
   } else if (kOperation == 2u) {
     // One material and outgoing direction for all; independent numbers.
@@ -63,7 +78,7 @@ void main() {
     // White mirror facets: (wo, alpha) (wi, -).
     vec4 a = questions[2u * at];
     Lobes lobes = whiteFacets(a.w);
-    BsdfValue value = evalBsdf(lobes, a.xyz, questions[2u * at + 1u].xyz, 1.0, false, true);
+    BsdfValue value = evalBsdf(lobes, a.xyz, questions[2u * at + 1u].xyz, kFacets);
     answers[at] = vec4(value.fCos, value.pdf);
   } else if (kOperation == 4u) {
     // (h, alpha) (cosO, cosI, -, -).
@@ -74,17 +89,18 @@ void main() {
   } else if (kOperation == 5u) {
     // (cosine, eta, f0, f90).
     vec4 q = questions[at];
-    answers[at] = vec4(fresnelDielectric(q.x, q.y), fresnelSchlick(vec3(q.z), q.w, q.x).x, pow5(q.x), 0.0);
+    answers[at] = vec4(fresnelDielectric(q.x, q.y), fresnelSchlick(vec3(q.z), vec3(q.w), pow5(1.0 - q.x)).x, pow5(q.x), 0.0);
   } else if (kOperation == 7u) {
     // The same from world directions, as the path tracer has them: (n, alpha) (wo, -) (wi, -).
     vec4 a = questions[3u * at];
     Frame frame = frameAround(a.xyz);
     Lobes lobes = whiteFacets(a.w);
     BsdfValue value = evalBsdf(lobes, toLocal(frame, questions[3u * at + 1u].xyz),
-                               toLocal(frame, questions[3u * at + 2u].xyz), 1.0, false, true);
+                               toLocal(frame, questions[3u * at + 2u].xyz), kFacets);
     answers[at] = vec4(value.fCos, value.pdf);
   } else {
-    Question q = fetchQuestion(5u * at);
-    answers[at] = vec4(specularChance(q.lobes, q.wo.z), diffuseReflectance(q.lobes, q.second.z));
+    Question q = fetchQuestion(at);
+    Lobes chosen = withChances(q.lobes, q.wo.z, q.kinds);
+    answers[at] = vec4(chosen.chance, chosen.transmitChance, chosen.coatChance, diffuseChance(chosen, q.kinds));
   }
 }

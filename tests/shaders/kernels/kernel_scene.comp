@@ -21,14 +21,14 @@ void main() {
   Layout l = primitiveLayout();
   loadBakedPrimitives();
   if (kOperation == 2u) {
-    LightSample s = sampleLight(fetchLight(uint(questions[at].w)), questions[at].xyz);
+    LightSample s = sampleLight(fetchLight(uint(questions[at].w)), questions[at].xyz, 0.5, 0.5);
     answers[2u * at] = vec4(s.wi, s.distance);
     answers[2u * at + 1u] = vec4(s.illuminance, 0.0);
     return;
   }
   if (kOperation == 3u) {
     vec4 q = questions[at];
-    answers[at] = vec4(cameraDirection(fetchCamera(), uvec2(q.xy), q.z, q.w), filterOffset(q.z));
+    answers[at] = vec4(filteredCameraRay(fetchCamera(), uvec2(q.xy), q.z, q.w, 0.0, 0.0).d, filterOffset(q.z));
     return;
   }
   Ray ray = Ray(questions[2u * at].xyz, questions[2u * at + 1u].xyz, NO_PRIMITIVE, false);

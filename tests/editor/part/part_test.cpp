@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Parts of a still: merging is exact, in any order and grouping, and refuses what does not belong together.
+#include "editor/part/part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace steradian;
+
+namespace {
+
+constexpr int kWidth = 3, kHeight = 2;
+
+/// Sums of the samples [begin, end) as a film would hold them; with a carry that matters.
+FilmSums sumsOf(std::uint64_t begin, std::uint64_t end, bool errorMeter = true) {
+  FilmSums sums;
+  sums.begin = begin;
+  sums.end = sums.endAhead = end;
+  sums.errorMeter = errorMeter;
+  std::mt19937 random(unsigned(begin * 1000 + end));
+  std::uniform_real_distribution<float> radiance(0.1f, 40.0f);
+  for (const int half : {0, 1}) {
+    sums.sum[half] = sums.carry[half] = {kWidth, kHeight, 3, std::vector<float>(kWidth * kHeight * 3)};
+    const double n = double(sums.count(half, 0));
+    for (std::size_t i = 0; i < sums.sum[half].pixels.size(); ++i) {
+      sums.sum[half].pixels[i] = float(radiance(random) * n);
+      sums.carry[half].pixels[i] = sums.sum[half].pixels[i] * 1.7e-8f;
+    }
+  }
+  return sums;
+}
+
+PartOrigin origin() {
+  PartOrigin out;
+  out.scene = "00c0ffee";
+  out.version = "1";
+  out.project = "room";
+  out.devices = {"llvmpipe (LLVM 15)"};
+  return out;
+}
+
+Part part(std::uint64_t begin, std::uint64_t end) {
+  return partOf(sumsOf(begin, end), origin());
+}
+
+std::string refusal(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < parts.size(); ++i) names.push_back(std::string(1, char('a' + i)) + ".exr");
+  try {
+    merged(parts, names);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::badInput);
+    return error.what();
+  }
+  return "merged";
+}
+
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST(Part, merges_to_the_same_value_in_any_order_and_grouping) {
+  const Part a = part(0, 8), b = part(8, 9), c = part(9, 64);
+  const Part all = merged({a, b, c}, {"a", "b", "c"});
+  EXPECT_EQ(all, merged({c, a, b}, {"c", "a", "b"}));
+  EXPECT_EQ(all, merged({merged({a, b}, {"a", "b"}), c}, {"ab", "c"}));
+  EXPECT_EQ(all, merged({a, merged({c, b}, {"c", "b"})}, {"a", "bc"}));
+  EXPECT_EQ(all.origin.begin, 0u);
+  EXPECT_EQ(all.origin.end, 64u);
+}
+
+TEST(Part, is_the_mean_over_all_samples) {
+  const FilmSums a = sumsOf(0, 5), b = sumsOf(5, 12);
+  const Image mean = meanOf(merged({partOf(a, origin()), partOf(b, origin())}, {"a", "b"}));
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    long double sum = 0;
+    for (const FilmSums* s : {&a, &b})
+      for (const int half : {0, 1}) sum += (long double)(s->sum[half].pixels[i]) - s->carry[half].pixels[i];
+    EXPECT_EQ(mean.pixels[i], float(sum / 12.0L)) << i;
+  }
+}
+
+TEST(Part, survives_its_file) {
+  for (const bool meter : {true, false}) {
+    const Part written = partOf(sumsOf(4, 11, meter), origin());
+    Image file{kWidth, kHeight, 0, {}};
+    std::vector<std::string> names{"R", "G", "B"};
+    const auto layers = layersOf(written);
+    for (const auto& layer : layers)
+      for (const auto& channel : layer.channelNames) names.push_back(layer.name + "." + channel);
+    file.channels = int(names.size());
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+      file.pixels.insert(file.pixels.end(), {1, 2, 3});
+      for (const auto& layer : layers)
+        for (int c = 0; c < 3; ++c) file.pixels.push_back(layer.pixels.pixels[std::size_t(i * 3 + c)]);
+    }
+    EXPECT_EQ(readPart("a.exr", file, names, partMetadata(written.origin)), written);
+  }
+}
+
+TEST(Part, knows_its_error_from_the_halves) {
+  FilmSums sums = sumsOf(0, 4);
+  for (const int half : {0, 1}) {
+    std::fill(sums.sum[half].pixels.begin(), sums.sum[half].pixels.end(), half == 0 ? 2.0f : 6.0f);
+    std::fill(sums.carry[half].pixels.begin(), sums.carry[half].pixels.end(), 0.0f);
+  }
+  const ErrorEstimate error = errorOf(partOf(sums, origin()));  // means 1 and 3: (3 - 1)^2 / 4
+  EXPECT_TRUE(error.valid);
+  EXPECT_DOUBLE_EQ(error.rmse, 1.0);
+  EXPECT_DOUBLE_EQ(error.relRmse, std::sqrt(1.0 / 4.01));
+  EXPECT_FALSE(errorOf(partOf(sumsOf(0, 4, false), origin())).valid);
+}
+
+TEST(Part, refuses_overlaps_and_gaps_by_name_and_range) {
+  EXPECT_TRUE(
+      contains(refusal({part(0, 8), part(7, 16)}), "a.exr (0:8) and b.exr (7:16) hold the same samples"));
+  EXPECT_TRUE(contains(refusal({part(0, 8), part(0, 8)}), "hold the same samples"));
+  EXPECT_TRUE(contains(refusal({part(12, 16), part(0, 8)}),
+                       "no part holds the samples 8:12 between b.exr and a.exr"));
+}
+
+TEST(Part, refuses_what_is_of_another_picture) {
+  Part other = part(8, 16);
+  other.origin.scene = "0";
+  EXPECT_TRUE(contains(refusal({part(0, 8), other}), "show different scenes"));
+  other = part(8, 16);
+  other.origin.seed = 5;
+  EXPECT_TRUE(contains(refusal({part(0, 8), other}), "have the seeds 0 and 5"));
+  other = part(8, 16);
+  other.origin.version = "2";
+  EXPECT_TRUE(contains(refusal({part(0, 8), other}), "are of Steradian 1 and 2"));
+  other = part(8, 16);
+  other.width = 2;
+  EXPECT_TRUE(contains(refusal({part(0, 8), other}), "differ in size: 3x2 and 2x2"));
+  EXPECT_TRUE(contains(refusal({part(0, 8), partOf(sumsOf(8, 16, false), origin())}), "error meter"));
+}
+
+TEST(Part, refuses_what_is_not_finite_or_unfinished) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    Part broken = part(0, 8);
+    broken.terms[1][0].pixels[4] = bad;
+    EXPECT_TRUE(contains(refusal({broken}), "a.exr: holds values that are not finite"));
+    FilmSums sums = sumsOf(0, 8);
+    sums.carry[0].pixels[4] = bad;
+    EXPECT_THROW(partOf(sums, origin()), Error);
+  }
+  FilmSums sums = sumsOf(0, 8);
+  sums.rowsAhead = 1;
+  EXPECT_THROW(partOf(sums, origin()), Error);
+}
+
+TEST(Part, tells_why_a_file_is_none) {
+  const auto reason = [](std::map<std::string, std::string> metadata, std::vector<std::string> names) {
+    try {
+      readPart("x.exr", Image{1, 1, int(names.size()), std::vector<float>(names.size())}, names, metadata);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(
+      contains(reason({}, {"R", "G", "B"}), "x.exr: is no part of a render: it lacks steradian:scene"));
+  auto metadata = partMetadata(part(0, 8).origin);
+  EXPECT_TRUE(contains(reason(metadata, {"R", "G", "B"}), "it lacks the layer sumA.0"));
+  metadata["steradian:samples"] = "8 ";
+  EXPECT_TRUE(contains(reason(metadata, {"R", "G", "B"}), "not a whole number"));
+}

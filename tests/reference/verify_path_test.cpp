@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Paths of the device judged by the same functions in double: nothing is found where nothing is wrong, and
+// what is wrong is named by its stage.
+#include <cmath>
+#include <set>
+
+#include "renderer/reference/judge.hpp"
+#include "tests/renderer/renderer_fixture.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace steradian::reference {
+namespace {
+
+constexpr Extent film{12, 8};
+constexpr PixelRect everyPixel{0, 0, 12, 8};
+// Rows of a record (shaders/path_record.glsl): the header's two, then the first vertex.
+constexpr std::size_t hitRow = 2 + 5, normalRow = 2 + 7, bsdfRow = 2 + 13 + 3;
+
+class VerifiedPaths : public RendererTest {
+ protected:
+  void SetUp() override {
+    RendererTest::SetUp();
+    scene_ = scenes::room(4);
+    traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
+  }
+  std::vector<PathRecord> record(std::uint64_t end) {
+    return recordPaths(*device_, traced_, everyPixel, 0, end);
+  }
+
+  // Stages of all that parts on one path.
+  std::set<std::string> partingStages(const PathRecord& path) {
+    std::set<std::string> stages;
+    for (const Finding& f : Judge(traced_).compare(path))
+      if (f.parts()) stages.insert(infoOf(f.quantity).stage);
+    return stages;
+  }
+
+  Scene scene_;
+  TracedScene traced_;
+};
+
+TEST_F(VerifiedPaths, recorded_paths_are_those_of_the_film) {
+  const Image picture = render(scene_, scenes::roomView(), film, 1);
+  for (const PathRecord& path : record(1)) {
+    const std::size_t at = 3 * (std::size_t(path.y) * film.width + path.x);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(path.rows[1][c], picture.pixels[at + c], 1e-5f * std::fabs(picture.pixels[at + c]) + 1e-7f);
+  }
+}
+
+TEST_F(VerifiedPaths, float_and_double_agree_at_every_stage) {
+  Judge judge(traced_);
+  std::size_t compared = 0, otherWay = 0;
+  for (const PathRecord& path : record(4)) {
+    for (const Finding& f : judge.compare(path)) {
+      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
+                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
+                              << " / " << f.reference;
+      compared += 1;
+    }
+    otherWay += judge.run(path).partedAt ? 1 : 0;
+  }
+  EXPECT_GT(compared, 5000u);
+  EXPECT_LE(otherWay, 4u);
+}
+
+TEST_F(VerifiedPaths, a_wrong_distance_is_named_intersection) {
+  PathRecord path = record(1)[40];
+  path.rows[hitRow].x *= 1.01f;
+  EXPECT_TRUE(partingStages(path).count("intersection"));
+}
+
+TEST_F(VerifiedPaths, another_primitive_is_named_intersection) {
+  PathRecord path = record(1)[40];
+  path.rows[hitRow].y = path.rows[hitRow].y == 0.0f ? 1.0f : 0.0f;
+  EXPECT_TRUE(partingStages(path).count("intersection"));
+}
+
+TEST_F(VerifiedPaths, a_tilted_normal_is_named_normal) {
+  PathRecord path = record(1)[40];
+  path.rows[normalRow] += glm::vec4(0.01f, 0.01f, 0.01f, 0.0f);
+  EXPECT_TRUE(partingStages(path).count("normal"));
+}
+
+TEST_F(VerifiedPaths, a_wrong_reflectance_is_named_bsdf_alone) {
+  PathRecord path = record(1)[40];
+  ASSERT_GT(path.rows[bsdfRow].x, 0.0f);
+  path.rows[bsdfRow].x *= 1.01f;
+  EXPECT_EQ(partingStages(path), std::set<std::string>{"BSDF"});
+}
+
+}  // namespace
+}  // namespace steradian::reference

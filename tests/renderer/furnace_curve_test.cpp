@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Albedo against roughness, and the tables below it, by the numbers in the literature.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/energy_table.hpp"
+#include "renderer/facet_albedo.hpp"
+#include "renderer/furnace_curve.hpp"
+#include "shaders/gpu_types.h"
+
+namespace steradian {
+namespace {
+
+Material white(float metallic) {
+  Material m;
+  m.albedo = glm::vec3(1.0f);
+  m.metallic = metallic;
+  return m;
+}
+
+TEST(FacetAlbedo, Row22IsThatOfTheLiterature) {
+  const Quadrature rule = gaussLegendre(48), cosines = gaussLegendre(16);
+  EXPECT_NEAR(facetAlbedo(1.0, 1.0, rule).white(), 1.0 - std::log(2.0), 1e-6);
+  EXPECT_NEAR(facetAlbedo(0.25, 1.0, rule).white(), 0.915812, 1e-4);
+  const double table[][2] = {{0.1, .9997}, {0.3, .9772}, {0.5, .8823},
+                             {0.7, .7074}, {0.9, .5024}, {1.0, .4092}};
+  for (const auto& [roughness, expected] : table) {
+    double mean = 0.0;
+    for (std::size_t i = 0; i < cosines.x.size(); ++i)
+      mean +=
+          2.0 * cosines.w[i] * cosines.x[i] * facetAlbedo(roughness * roughness, cosines.x[i], rule).white();
+    EXPECT_NEAR(mean, expected, 2e-3) << "roughness " << roughness;
+  }
+}
+
+TEST(FacetAlbedo, SmoothFacetsReflectSchlicksCurve) {
+  const FacetAlbedo smooth = facetAlbedo(0.0, 0.3, gaussLegendre(16));
+  EXPECT_NEAR(smooth.f90, std::pow(0.7, 5), 1e-4);
+  EXPECT_NEAR(smooth.white(), 1.0, 1e-4);
+}
+
+TEST(EnergyTable, InterpolatesWithinHalfAPercent) {
+  const std::vector<glm::vec4>& table = energyTable();
+  ASSERT_EQ(table.size(), gpu::ENERGY_ROWS);
+  const Quadrature rule = gaussLegendre(48);
+  for (const double roughness : {0.05, 0.17, 0.39, 0.61, 0.83, 0.99})
+    for (const double mu : {0.11, 0.27, 0.52, 0.77, 0.98}) {
+      const double x = roughness * gpu::ENERGY_CELLS, y = std::sqrt(mu) * gpu::ENERGY_CELLS;
+      const std::size_t row = 2 * (std::size_t(y) * gpu::ENERGY_CELLS + std::size_t(x));
+      const double fx = x - std::floor(x), fy = y - std::floor(y);
+      const glm::dvec4 corners(table[row] + table[row + 1]);
+      const double white =
+          (corners.x * (1 - fx) + corners.y * fx) * (1 - fy) + (corners.z * (1 - fx) + corners.w * fx) * fy;
+      EXPECT_NEAR(white / facetAlbedo(roughness * roughness, mu, rule).white(), 1.0, 0.005)
+          << "roughness " << roughness << ", cosine " << mu;
+    }
+}
+
+TEST(FurnaceCurve, WhiteSurfacesLieAtOneWhenCompensated) {
+  for (const float metallic : {0.0f, 0.5f, 1.0f})
+    for (const float coat : {0.0f, 1.0f}) {
+      Material m = white(metallic);
+      m.clearcoat = coat;
+      for (const glm::vec3 albedo : furnaceCurve(m, 9)) EXPECT_NEAR(albedo.x, 1.0f, 1e-5f);
+    }
+}
+
+TEST(FurnaceCurve, SingleScatteringDarkensRoughMetal) {
+  const std::vector<glm::vec3> curve = furnaceCurve(white(1.0f), 11, false);
+  EXPECT_NEAR(curve[0].x, 1.0f, 2e-3f);
+  EXPECT_NEAR(curve[5].x, 0.8823f, 5e-3f);
+  EXPECT_NEAR(curve[10].x, 0.4092f, 5e-3f);
+  for (std::size_t i = 1; i < curve.size(); ++i) EXPECT_LE(curve[i].x, curve[i - 1].x + 1e-3f);
+}
+
+TEST(FurnaceCurve, CompensationSaturatesColour) {
+  Material gold = white(1.0f);
+  gold.albedo = {0.95f, 0.7f, 0.3f};
+  const glm::vec3 rough = furnaceCurve(gold, 2)[1], smooth = furnaceCurve(gold, 2)[0];
+  EXPECT_LT(rough.z / rough.x, smooth.z / smooth.x);
+}
+
+}  // namespace
+}  // namespace steradian

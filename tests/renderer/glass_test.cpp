@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Glass and coats in pictures: even light stays even, absorption follows Beer and Lambert, slabs pass the
+// textbook's share.
+#include "tests/renderer/renderer_fixture.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace steradian {
+namespace {
+
+using namespace scenes;
+
+class GlassTest : public RendererTest {
+ protected:
+  static Material glass(float roughness = 0.0f) {
+    Material m;
+    m.albedo = glm::vec3(1.0f);
+    m.transmission = 1.0f;
+    m.roughness = roughness;
+    return m;
+  }
+  /// An even sky of radiance 1.
+  static void addSky(Scene& scene) { addLight(scene, at({0, 0, 0}), EnvironmentLight{}, 1.0f); }
+  Mean ball(const Material& material, int samples, int bounces = 32) {
+    Scene scene = plainScene(bounces);
+    addSky(scene);
+    add(scene, at({0, 0, 0}), Sphere{1.0}, material);
+    return meanOf(render(scene, lookAt({0, 0, 4}, {0, 0, 0}, 0.6), {24, 24}, samples));
+  }
+};
+
+TEST_F(GlassTest, Row35AGlassBallVanishesInEvenLight) {
+  const Mean smooth = ball(glass(), 64);
+  expectMean(smooth, 1.0, 0.005);
+  EXPECT_LT(smooth.sigma, 0.005);
+}
+
+TEST_F(GlassTest, Row35ARoughGlassBallLosesLittle) {
+  const Mean rough = ball(glass(0.25f), 64);
+  EXPECT_LT(rough.value, 1.0 + 3.0 * rough.sigma);
+  EXPECT_GT(rough.value, 0.95);
+}
+
+TEST_F(GlassTest, Row35ASlabPassesWhatBothFacesLeave) {
+  // A box and a sheet, seen head-on against a wall of radiance 1 in the dark: 1 / (1 + ...) = 12/13.
+  for (const bool solid : {true, false}) {
+    Scene scene = plainScene(32);
+    const Id material = add(scene, glass());
+    if (solid)
+      add(scene, at({0, 0, 0}), Box{{40, 40, 1}}, material);
+    else
+      add(scene, at({0, 0, 0}, {1, 0, 0}, pi / 2), Rect{{40, 40}}, material);
+    add(scene, at({0, 0, -4}), Box{{60, 60, 1}}, emitter(1.0f));
+    const Image image = render(scene, lookAt({0, 0, 5}, {0, 0, 0}, 0.05), {16, 16}, 256);
+    expectMean(meanOf(image), 12.0 / 13.0, 0.005);
+  }
+}
+
+TEST_F(GlassTest, AbsorptionFollowsTheDistance) {
+  // A mirrorless solid (index 1) of 2 m halves green and quarters blue.
+  Material m = glass();
+  m.ior = 1.0f;
+  m.attenuationColor = {1.0f, 0.5f, 0.25f};
+  m.attenuationDistance = 2.0f;
+  Scene scene = plainScene(8);
+  addSky(scene);
+  add(scene, at({0, 0, 0}), Box{{40, 40, 2}}, m);
+  const Image image = render(scene, lookAt({0, 0, 5}, {0, 0, 0}, 0.02), {8, 8}, 16);
+  EXPECT_NEAR(meanOf(image, 0).value, 1.0, 1e-3);
+  EXPECT_NEAR(meanOf(image, 1).value, 0.5, 1e-3);
+  EXPECT_NEAR(meanOf(image, 2).value, 0.25, 1e-3);
+}
+
+TEST_F(GlassTest, Row23CompensatedWhiteBallsVanish) {
+  for (const float roughness : {0.3f, 0.7f, 1.0f})
+    for (const float metallic : {0.0f, 1.0f})
+      for (const float coat : {0.0f, 1.0f}) {
+        SCOPED_TRACE(testing::Message() << roughness << ", " << metallic << ", coat " << coat);
+        Material m = plastic(roughness, glm::vec3(1.0f));
+        m.metallic = metallic;
+        m.clearcoat = coat;
+        m.clearcoatRoughness = 0.3f;
+        const Mean mean = ball(m, 64, 4);
+        expectMean(mean, 1.0, 0.005);
+        EXPECT_LT(mean.sigma, 0.004);
+      }
+}
+
+TEST_F(GlassTest, Row41GlassCoatsAndTintsLookTheSameInASpecialPipeline) {
+  for (const bool compensation : {true, false}) {
+    Scene scene = plainScene(6);
+    scene.render.energyCompensation = compensation;
+    addSky(scene);
+    Material tinted = metal(0.3f, {0.9f, 0.6f, 0.4f});
+    tinted.edgeTint = {0.8f, 0.9f, 0.7f};
+    Material coated = plastic(0.6f, {0.2f, 0.5f, 0.3f});
+    coated.clearcoat = 0.7f;
+    add(scene, at({0, -1, 0}), Plane{}, lambert(glm::vec3(0.5f)));
+    const std::vector<Material> materials = {glass(0.3f), tinted, coated, glass()};
+    for (std::size_t i = 0; i <= materials.size(); ++i) {  // one more kind at a time
+      const CameraView view = lookAt({0, 1, 6}, {0, 0, 0}, 0.8);
+      renderer().allowSpecialization(false);
+      const Image generic = render(scene, view, {32, 32}, 8);
+      renderer().allowSpecialization(true);
+      renderer().waitForSpecialization();
+      const Image special = render(scene, view, {32, 32}, 8);
+      EXPECT_TRUE(renderer().stats().variant.specialized);
+      // Without compensation a few of 3,072 values part in their last bit.
+      if (onCpu() && compensation) {
+        EXPECT_TRUE(special == generic)
+            << "compensation " << compensation << ", kinds " << i << ": MRSE " << mrse(special, generic);
+      } else {
+        EXPECT_LE(mrse(special, generic), onCpu() ? 1e-15 : 1e-6);
+      }
+      if (i < materials.size()) add(scene, at({1.2 * double(i) - 1.8, -0.4, 0}), Sphere{0.55}, materials[i]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace steradian

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// One production function per operation, on five rows of numbers; compiled for the device and, by
+// cmake/GlslAsCpp.cmake, for C++ in float and in double.
+#ifndef ROUNDING_GLSL
+#define ROUNDING_GLSL
+#include "bsdf_sampling.glsl"
+#include "light_sampling.glsl"
+#include "numerics.glsl"
+#include "sampling.glsl"
+#include "shapes.glsl"
+
+vec4 scalar(float x) { return vec4(x, 0.0, 0.0, 0.0); }
+
+// (o, -) (d, -) and up to three rows of the shape.
+vec4 roundShape(uint operation, vec4 a, vec4 b, vec4 c, vec4 d, vec4 e) {
+  LocalRay ray = toUnit(a.xyz, b.xyz, c, d, e);
+  float t = INFINITE;
+  if (operation == 0u) t = hitSphere(a.xyz, b.xyz, c.xyz, c.w, false, false);
+  if (operation == 1u) t = hitLargeSphere(a.xyz, b.xyz, c, d, false, false);
+  if (operation == 2u) t = hitPlane(a.xyz, b.xyz, c, false);
+  if (operation == 3u) t = hitBox(ray, false, false);
+  if (operation == 4u) t = hitCylinder(ray, false, false);
+  if (operation == 5u) t = hitEllipsoid(ray, false, false);
+  return scalar(t);
+}
+
+// (wo, alpha) (wi, eta) (u, v, -, -).
+vec4 roundScattering(uint operation, vec4 a, vec4 b, vec4 c) {
+  vec3 wo = a.xyz;
+  vec3 wi = b.xyz;
+  vec3 h = wo + wi;
+  CosSin azimuth = cosSinTurn(c.y);
+  vec4 result = vec4(0.0);
+  if (operation == 10u) result = scalar(ggxD(h, dot(h, h), a.w));
+  if (operation == 11u) result = scalar(smithG2(wo.z, wi.z, a.w));
+  if (operation == 12u) result = scalar(fresnelDielectric(wo.z, b.w));
+  if (operation == 13u) result = scalar(reflectingFacets(h, dot(h, h), wo.z, wi.z, a.w).fCos);
+  if (operation == 14u) result = scalar(reflectingFacets(h, dot(h, h), wo.z, wi.z, a.w).pdf);
+  if (operation == 15u) result = vec4(normalize(visibleNormal(wo, a.w, ggxA(wo.z, a.w), azimuth.c, azimuth.s, c.x)), 0.0);
+  if (operation == 16u) result = vec4(cosineHemisphere(azimuth.c, azimuth.s, c.x), 0.0);
+  if (operation == 17u) result = vec4(azimuth.c, azimuth.s, 0.0, 0.0);
+  if (operation == 18u) result = vec4(frameAround(wo).t, 0.0);
+  if (operation == 19u) result = scalar(powerHeuristic(a.w, b.w));
+  return result;
+}
+
+// (p, u) (centre, v) (half edge or axis, radius) (half edge or axis, -).
+vec4 roundLight(uint operation, vec4 a, vec4 b, vec4 c, vec4 d) {
+  LightDirection s = LightDirection(vec3(0.0), 0.0, 0.0);
+  if (operation == 20u || operation == 21u) s = sampleSphere(a.xyz, b.xyz, c.w, a.w, b.w);
+  if (operation == 22u || operation == 23u) s = sampleRect(a.xyz, b.xyz, c.xyz, d.xyz, a.w, b.w);
+  if (operation == 24u || operation == 25u) s = sampleDisk(a.xyz, b.xyz, c.xyz, d.xyz, a.w, b.w);
+  return (operation & 1u) == 0u ? vec4(s.wi, 0.0) : scalar(s.pdf);
+}
+
+vec4 rounded(uint operation, vec4 a, vec4 b, vec4 c, vec4 d, vec4 e) {
+  vec4 result = vec4(0.0);
+  if (operation < 10u) result = roundShape(operation, a, b, c, d, e);
+  else if (operation < 20u) result = roundScattering(operation, a, b, c);
+  else result = roundLight(operation, a, b, c, d);
+  return result;
+}
+
+#endif
