@@ -48,5 +48,5 @@ function(steradian_add_test name)
     add_dependencies(unit_tests ${name})
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
-    ENVIRONMENT "STERADIAN_VALIDATION=1;STERADIAN_PLUGIN_PATH=${STERADIAN_PLUGIN_DIR}")
+    ENVIRONMENT "STERADIAN_VALIDATION=1;STERADIAN_PLUGIN_PATH=${STERADIAN_PLUGIN_DIR};LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
 endfunction()
