@@ -20,7 +20,8 @@ struct Material {
   glm::vec3 emissionColor{1.0f};   // linear Rec. 709, >= 0
   float emissionLuminance = 0.0f;  // nit (cd/m^2) times emissionColor, >= 0, both sides
   // Transmission replaces this share of the diffuse base: refraction through solids (Box, Sphere, Cylinder,
-  // Plane), straight passage through thin ones (Rect, Disk). Tinted by albedo.
+  // Plane), panes of two faces for thin ones (Rect, Disk), straight or, when rough, scattered. Tinted by
+  // albedo.
   float transmission = 0.0f;         // [0, 1]
   glm::vec3 attenuationColor{1.0f};  // what a solid leaves of white light after attenuationDistance, (0, 1]
   float attenuationDistance = 0.0f;  // metres, >= 0; 0 = clear
