@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugins/host/read_file.hpp"
 #include "plugins/host/utf8.hpp"
 
 namespace steradian::plugins {
 
 namespace {
+
+constexpr std::uint64_t kLargestBeside = 4ull << 30;
 
 std::string number(double value) {
   char text[32];
@@ -41,7 +44,7 @@ std::string oneLine(std::string text) {
 
 Call::Call(const Contribution& contribution, const std::filesystem::path& file, const Progress& progress,
            const Parameters& parameters)
-    : contribution_(contribution), file_(file.string()), progress_(progress) {
+    : contribution_(contribution), path_(file), file_(file.string()), progress_(progress) {
   std::string known;
   for (const Parameter& p : contribution.parameters) {
     values_[p.id] = p.defaultValue;
@@ -99,6 +102,20 @@ void Call::notKept(sdk::Text what, sdk::Text why) noexcept {
   keeping([&] { report.notKept.push_back({what.str(), why.str()}); });
 }
 
+bool Call::readBeside(sdk::Text path, sdk::Text& bytes) noexcept {
+  bool read = false;
+  keeping([&] {
+    try {
+      beside_.push_back(readFile(insideFolder(path_.parent_path(), path.str()), kLargestBeside));
+      read = true;
+    } catch (const Error& error) {
+      beside_.push_back(error.what());
+    }
+    bytes = beside_.back();
+  });
+  return read;
+}
+
 void Call::judge(sdk::Status status) const {
   if (ours_) std::rethrow_exception(ours_);
   switch (status) {
@@ -113,6 +130,12 @@ void Call::judge(sdk::Status status) const {
   }
   throw Error(ExitCode::plugin, file_ + ": plugin " + contribution_.id + " " + contribution_.version +
                                     " failed: " + (message_.empty() ? "it gave no reason" : message_));
+}
+
+void MemoryWriter::writeBeside(sdk::Text path, const void* data, std::uint64_t size) noexcept try {
+  beside[path.str()].assign(static_cast<const char*>(data), size);
+} catch (const std::exception&) {
+  outOfMemory = true;
 }
 
 void MemoryWriter::write(const void* data, std::uint64_t size) noexcept try {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The host's side of one import or export: services, parameters, the bytes written, and the verdict.
 #pragma once
+#include <deque>
 #include <exception>
+#include <map>
 #include <string>
 
 #include "plugins/host/plugin_host.hpp"
@@ -21,6 +23,7 @@ class Call final : public sdk::Host {
   void fail(sdk::Text message) noexcept override;
   double parameter(sdk::Text id) noexcept override;
   void notKept(sdk::Text what, sdk::Text why) noexcept override;
+  bool readBeside(sdk::Text path, sdk::Text& bytes) noexcept override;
 
   /// Returns when `status` is ok and nothing failed on our side, else throws the one line for the user.
   void judge(sdk::Status status) const;
@@ -31,7 +34,9 @@ class Call final : public sdk::Host {
   void keeping(Work&& work) noexcept;
 
   const Contribution& contribution_;
+  std::filesystem::path path_;
   std::string file_;
+  std::deque<std::string> beside_;  // files that were read, or why not
   const Progress& progress_;
   Parameters values_;
   std::string message_;
@@ -41,9 +46,16 @@ class Call final : public sdk::Host {
 /// Collects an exported file in memory, so that a failed export never touches the disk.
 class MemoryWriter final : public sdk::Writer {
  public:
+  explicit MemoryWriter(std::string stem) : stem_(std::move(stem)) {}
   void write(const void* data, std::uint64_t size) noexcept override;
+  void writeBeside(sdk::Text path, const void* data, std::uint64_t size) noexcept override;
+  sdk::Text stem() noexcept override { return stem_; }
   bool outOfMemory = false;
   std::string bytes;
+  std::map<std::string, std::string> beside;  // relative path -> bytes
+
+ private:
+  std::string stem_;
 };
 
 }  // namespace steradian::plugins

@@ -27,6 +27,16 @@ namespace {
 
 constexpr std::uint64_t kLargestInput = 4ull << 30, kLargestGlsl = 1 << 20;
 
+/// Files beside an exported one are named by their content as a rule: what is there already is left alone.
+void writeBeside(const fs::path& path, const std::string& bytes) {
+  std::error_code failed;
+  fs::create_directories(path.parent_path(), failed);
+  if (failed)
+    throw Error(ExitCode::io, path.parent_path().string() + ": cannot be made: " + failed.message());
+  if (fs::file_size(path, failed) == bytes.size() && !failed && readFile(path, bytes.size()) == bytes) return;
+  writeFileAtomically(path, bytes);
+}
+
 std::string lowerExtension(const fs::path& path) {
   std::string out = path.extension().string();
   for (char& c : out)
@@ -211,9 +221,11 @@ struct PluginHost::Impl {
   void run(const Contribution& c, SceneRecords* scene, const sdk::ImageRecord* image, const fs::path& path,
            const Progress& progress, const Parameters& parameters) {
     Call call(c, path, progress, parameters);
-    MemoryWriter writer;
+    MemoryWriter writer(path.stem().string());
     call.judge(exporter(c).run(call, scene, image, writer));
     if (writer.outOfMemory) throw Error(ExitCode::failed, path.string() + ": not enough memory to write it");
+    for (const auto& [name, bytes] : writer.beside)
+      writeBeside(insideFolder(path.parent_path(), name), bytes);
     writeFileAtomically(path, writer.bytes);
   }
 };

@@ -71,6 +71,7 @@ struct ImageLayer {
   std::string name;                       // "albedo"
   Image pixels;                           // of the picture's size
   std::vector<std::string> channelNames;  // one for each channel of pixels: "R", "G", "B", "Z", "id" ...
+  bool operator==(const ImageLayer&) const = default;
 };
 
 /// Float pixels offered to an image exporter, with text metadata (EXR attributes, PNG text).

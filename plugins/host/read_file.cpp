@@ -41,6 +41,19 @@ std::uint64_t checkedSize(int fd, const std::filesystem::path& path, std::uint64
 
 }  // namespace
 
+std::filesystem::path insideFolder(const std::filesystem::path& folder, const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, failed);
+  const fs::path path = failed ? fs::path() : fs::weakly_canonical(root / name, failed);
+  const bool inside =
+      !failed && !path.lexically_relative(root).empty() && *path.lexically_relative(root).begin() != "..";
+  if (name.empty() || name.find('\0') != std::string::npos || fs::path(name).is_absolute() || !inside)
+    throw Error(ExitCode::badInput, "'" + name + "' does not lie inside the folder " + root.string() +
+                                        "; put the file there and name it relative to it");
+  return path;
+}
+
 std::string readFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
   const OpenFile file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
   if (file.fd < 0)

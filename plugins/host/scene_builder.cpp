@@ -65,6 +65,9 @@ bool contentOf(const sdk::ObjectRecord& r, Object& out) {
     case sdk::ObjectKind::cylinder:
       shape(Cylinder{r.radius, r.height});
       return true;
+    case sdk::ObjectKind::mesh:
+      shape(MeshShape{});  // linked when everything is there
+      return true;
     case sdk::ObjectKind::pointLight:
     case sdk::ObjectKind::spotLight:
     case sdk::ObjectKind::directionalLight:
@@ -146,6 +149,8 @@ void SceneBuilder::addMaterial(const sdk::MaterialRecord& theirs) noexcept {
   keeping([&] {
     const auto r = sdk::adopt(theirs);
     const std::string where = "material #" + std::to_string(r.id);
+    if (r.alphaMode > 2) problems_.push_back({where + ".alphaMode", "is unknown"});
+    slots_.push_back({r.albedoTexture, r.metallicRoughnessTexture, r.normalTexture, r.emissionTexture});
     scene_.materials.push_back({.id = Id{r.id},
                                 .name = textOf(r.name, where + ".name"),
                                 .albedo = vec3Of(r.albedo),
@@ -161,6 +166,11 @@ void SceneBuilder::addMaterial(const sdk::MaterialRecord& theirs) noexcept {
                                 .clearcoat = r.clearcoat,
                                 .clearcoatRoughness = r.clearcoatRoughness,
                                 .edgeTint = vec3Of(r.edgeTint),
+                                .normalScale = r.normalScale,
+                                .opacity = r.opacity,
+                                .alphaMode = AlphaMode{r.alphaMode},
+                                .alphaCutoff = r.alphaCutoff,
+                                .thinWalled = r.thinWalled != 0,
                                 .extras = textOf(r.extras, where + ".extras")});
   });
 }
@@ -178,6 +188,7 @@ void SceneBuilder::addObject(const sdk::ObjectRecord& theirs) noexcept {
     if (r.projection > 1) problems_.push_back({where + ".camera.projection", "is unknown"});
     if (r.kind == sdk::ObjectKind::environmentLight) textOf(r.imageFile, where + ".light.file");
     if (!contentOf(r, object)) problems_.push_back({where, "is of an unknown kind"});
+    meshIds_.push_back(r.kind == sdk::ObjectKind::mesh ? r.mesh : 0);
     scene_.objects.push_back(std::move(object));
   });
 }
@@ -197,6 +208,40 @@ void SceneBuilder::addChannel(const sdk::ChannelRecord& theirs) noexcept {
   });
 }
 
+void SceneBuilder::addMesh(const sdk::MeshRecord& mesh) noexcept {
+  keeping([&] { heavy_.add(mesh, problems_); });
+}
+
+void SceneBuilder::addTexture(const sdk::TextureRecord& texture) noexcept {
+  keeping([&] { heavy_.add(texture, problems_); });
+}
+
+/// Objects whose mesh is missing become groups, and a problem.
+void SceneBuilder::linkMeshes() {
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    auto* geometry = std::get_if<Geometry>(&scene_.objects[i].content);
+    auto* shape = geometry ? std::get_if<MeshShape>(&geometry->shape) : nullptr;
+    if (!shape) continue;
+    shape->mesh = heavy_.mesh(meshIds_[i]);
+    if (shape->mesh) continue;
+    problems_.push_back({"object #" + std::to_string(unsigned(scene_.objects[i].id)) + ".mesh",
+                         "is " + std::to_string(meshIds_[i]) + "; there is no such mesh"});
+    scene_.objects[i].content = Group{};
+  }
+}
+
+void SceneBuilder::linkTextures() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    Material& m = scene_.materials[i];
+    const std::string where = "material #" + std::to_string(unsigned(m.id));
+    m.albedoTexture = heavy_.slot(slots_[i].albedo, where + ".albedoTexture", problems_);
+    m.metallicRoughnessTexture =
+        heavy_.slot(slots_[i].metallicRoughness, where + ".metallicRoughnessTexture", problems_);
+    m.normalTexture = heavy_.slot(slots_[i].normal, where + ".normalTexture", problems_);
+    m.emissionTexture = heavy_.slot(slots_[i].emission, where + ".emissionTexture", problems_);
+  }
+}
+
 Scene SceneBuilder::finish(std::vector<Problem>& problems) {
   std::uint32_t highest = 0;
   for (const Object& object : scene_.objects) highest = std::max(highest, std::uint32_t(object.id));
@@ -205,6 +250,8 @@ Scene SceneBuilder::finish(std::vector<Problem>& problems) {
     problems_.push_back({"id", "is 4294967295, the last there is; expected a smaller number"});
   else
     scene_.nextId = std::max(scene_.nextId, Id{highest + 1});
+  linkMeshes();
+  linkTextures();
   problems = std::move(problems_);
   const auto rules = problemsOf(scene_);
   problems.insert(problems.end(), rules.begin(), rules.end());

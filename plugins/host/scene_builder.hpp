@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "plugins/host/heavy_records.hpp"
 #include "renderer/scene/scene.hpp"
 #include "renderer/scene/validate.hpp"
 #include "steradian/plugin.hpp"
@@ -19,6 +20,8 @@ class SceneBuilder final : public sdk::SceneSink {
   void addMaterial(const sdk::MaterialRecord& material) noexcept override;
   void addObject(const sdk::ObjectRecord& object) noexcept override;
   void addChannel(const sdk::ChannelRecord& channel) noexcept override;
+  void addMesh(const sdk::MeshRecord& mesh) noexcept override;
+  void addTexture(const sdk::TextureRecord& texture) noexcept override;
 
   /// The scene with nextId above every id; `problems` gets the sink's own findings and problemsOf's.
   Scene finish(std::vector<Problem>& problems);
@@ -27,9 +30,18 @@ class SceneBuilder final : public sdk::SceneSink {
  private:
   template <class Work>
   void keeping(Work&& work) noexcept;  // nothing may be thrown into the plugin
+  void linkMeshes();
+  void linkTextures();
   std::string textOf(const sdk::Text& text, const std::string& where);
 
+  struct Slots {
+    sdk::TextureSlotRecord albedo, metallicRoughness, normal, emission;
+  };
+
   Scene scene_;
+  HeavyBuilder heavy_;
+  std::vector<Slots> slots_;            // of each material
+  std::vector<std::uint32_t> meshIds_;  // of each object; 0 = not a mesh
   std::vector<Problem> problems_;
   bool outOfMemory_ = false;
 };

@@ -13,6 +13,10 @@ void copy(const Vector& from, Number (&to)[N]) {
 
 struct ShapeRecorder {
   sdk::ObjectRecord& out;
+  const HeavyRecords& heavy;
+  void operator()(const MeshShape& s) const {
+    out.kind = sdk::ObjectKind::mesh, out.mesh = heavy.idOf(s.mesh.get());
+  }
   void operator()(const Sphere& s) const { out.kind = sdk::ObjectKind::sphere, out.radius = s.radius; }
   void operator()(const Plane&) const { out.kind = sdk::ObjectKind::plane; }
   void operator()(const Box& s) const { out.kind = sdk::ObjectKind::box, copy(s.size, out.dimensions); }
@@ -51,9 +55,10 @@ struct LightRecorder {
 
 struct ContentRecorder {
   sdk::ObjectRecord& out;
+  const HeavyRecords& heavy;
   void operator()(const Group&) const { out.kind = sdk::ObjectKind::group; }
   void operator()(const Geometry& g) const {
-    std::visit(ShapeRecorder{out}, g.shape);
+    std::visit(ShapeRecorder{out, heavy}, g.shape);
     out.material = std::uint32_t(g.material);
   }
   void operator()(const Camera& c) const {
@@ -71,7 +76,7 @@ struct ContentRecorder {
   }
 };
 
-sdk::ObjectRecord recordOf(const Object& object) {
+sdk::ObjectRecord recordOf(const Object& object, const HeavyRecords& heavy) {
   sdk::ObjectRecord out;
   out.id = std::uint32_t(object.id);
   out.parent = std::uint32_t(object.parent);
@@ -82,11 +87,11 @@ sdk::ObjectRecord recordOf(const Object& object) {
   copy(t.translation, out.translation);
   copy(glm::dvec4(t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w), out.rotation);
   copy(t.scale, out.scale);
-  std::visit(ContentRecorder{out}, object.content);
+  std::visit(ContentRecorder{out, heavy}, object.content);
   return out;
 }
 
-sdk::MaterialRecord recordOf(const Material& material) {
+sdk::MaterialRecord recordOf(const Material& material, const HeavyRecords& heavy) {
   sdk::MaterialRecord out;
   out.id = std::uint32_t(material.id);
   out.name = material.name;
@@ -104,6 +109,15 @@ sdk::MaterialRecord recordOf(const Material& material) {
   out.clearcoat = material.clearcoat;
   out.clearcoatRoughness = material.clearcoatRoughness;
   copy(material.edgeTint, out.edgeTint);
+  out.albedoTexture = heavy.slot(material.albedoTexture);
+  out.metallicRoughnessTexture = heavy.slot(material.metallicRoughnessTexture);
+  out.normalTexture = heavy.slot(material.normalTexture);
+  out.emissionTexture = heavy.slot(material.emissionTexture);
+  out.normalScale = material.normalScale;
+  out.opacity = material.opacity;
+  out.alphaMode = std::uint32_t(material.alphaMode);
+  out.alphaCutoff = material.alphaCutoff;
+  out.thinWalled = material.thinWalled;
   return out;
 }
 
@@ -122,7 +136,7 @@ sdk::RenderSettingsRecord recordOf(const RenderSettings& s) {
 
 }  // namespace
 
-SceneRecords::SceneRecords(const Scene& scene) : render_(recordOf(scene.render)) {
+SceneRecords::SceneRecords(const Scene& scene) : heavy_(scene), render_(recordOf(scene.render)) {
   scene_.activeCamera = std::uint32_t(scene.activeCamera);
   scene_.nextId = std::uint32_t(scene.nextId);
   scene_.framesPerSecond = scene.animation.framesPerSecond;
@@ -137,8 +151,8 @@ SceneRecords::SceneRecords(const Scene& scene) : render_(recordOf(scene.render))
   display_.ev100 = scene.display.ev100;
   display_.parameters = parameters_.data();
   display_.parameterCount = parameters_.size();
-  for (const Material& material : scene.materials) materials_.push_back(recordOf(material));
-  for (const Object& object : scene.objects) objects_.push_back(recordOf(object));
+  for (const Material& material : scene.materials) materials_.push_back(recordOf(material, heavy_));
+  for (const Object& object : scene.objects) objects_.push_back(recordOf(object, heavy_));
   keys_.reserve(scene.animation.channels.size());
   for (const Channel& channel : scene.animation.channels) addChannel(channel);
 }

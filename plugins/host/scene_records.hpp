@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "plugins/host/heavy_records.hpp"
 #include "renderer/scene/scene.hpp"
 #include "steradian/plugin.hpp"
 
@@ -22,9 +23,15 @@ class SceneRecords final : public sdk::SceneView {
   std::uint64_t channelCount() noexcept override { return channels_.size(); }
   const sdk::ChannelRecord& channel(std::uint64_t index) noexcept override { return channels_[index]; }
 
+  std::uint64_t meshCount() noexcept override { return heavy_.meshes.size(); }
+  const sdk::MeshRecord& mesh(std::uint64_t index) noexcept override { return heavy_.meshes[index]; }
+  std::uint64_t textureCount() noexcept override { return heavy_.textures.size(); }
+  const sdk::TextureRecord& texture(std::uint64_t index) noexcept override { return heavy_.textures[index]; }
+
  private:
   void addChannel(const Channel& channel);
 
+  HeavyRecords heavy_;
   sdk::SceneRecord scene_;
   sdk::RenderSettingsRecord render_;
   sdk::DisplaySettingsRecord display_;

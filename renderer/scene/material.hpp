@@ -6,8 +6,12 @@
 #include <glm/glm.hpp>
 
 #include "renderer/scene/ids.hpp"
+#include "renderer/scene/texture.hpp"
 
 namespace steradian {
+
+/// What the opacity of a point means: ignored, all or nothing at a threshold, or the share that is there.
+enum class AlphaMode : std::uint32_t { opaque = 0, mask = 1, blend = 2 };
 
 struct Material {
   Id id = Id::none;
@@ -28,6 +32,16 @@ struct Material {
   float clearcoat = 0.0f;            // weight of a dielectric coat of ior 1.5 on top, [0, 1]
   float clearcoatRoughness = 0.0f;   // perceptual, [0, 1]
   glm::vec3 edgeTint{1.0f};  // metals: reflectance at 82 degrees beside Schlick's, [0, 1]; 1 = plain Schlick
+  // On meshes only. Textures multiply the factors above; albedo and emission are sRGB unless half float.
+  TextureSlot albedoTexture;             // RGB times albedo, A times opacity
+  TextureSlot metallicRoughnessTexture;  // G times roughness, B times metallic
+  TextureSlot normalTexture;             // tangent space, x and y times normalScale
+  TextureSlot emissionTexture;           // RGB times emissionColor
+  float normalScale = 1.0f;              // [0, 100]
+  float opacity = 1.0f;                  // [0, 1]
+  AlphaMode alphaMode = AlphaMode::opaque;
+  float alphaCutoff = 0.5f;  // mask: opaque from here on, [0, 1]
+  bool thinWalled = false;   // transmission through a sheet that encloses nothing
   std::string extras;        // unknown keys of the project file, as JSON text; kept on round trip
 
   bool operator==(const Material&) const = default;

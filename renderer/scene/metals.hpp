@@ -16,8 +16,7 @@ struct Metal {
   std::array<double, 3> n, k;
 };
 
-/// By name. The digits of aluminium to silver follow the table that accompanies Chaos Group, "Understanding
-/// metalness", read off refractiveindex.info at these wavelengths; titanium is rounded to two digits.
+/// By name; the sources in full stand beside the table.
 std::span<const Metal> metals();
 
 /// Exact reflectance at a cosine to the normal, per channel.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The analytic shapes, each centred at its object's origin, sizes in metres before the object's transform.
+// The shapes: analytic ones, each centred at its object's origin, sizes in metres before the object's
+// transform; and meshes.
 #pragma once
 #include <variant>
 
 #include <glm/glm.hpp>
 
 #include "renderer/scene/ids.hpp"
+#include "renderer/scene/mesh.hpp"
 
 namespace steradian {
 
@@ -35,7 +37,7 @@ struct Cylinder {
   bool operator==(const Cylinder&) const = default;
 };  // axis Y, capped
 
-using Shape = std::variant<Sphere, Plane, Box, Rect, Disk, Cylinder>;
+using Shape = std::variant<Sphere, Plane, Box, Rect, Disk, Cylinder, MeshShape>;
 
 /// An object's visible surface: a shape and the material on it (Id::none = the default material).
 struct Geometry {

@@ -27,6 +27,9 @@ struct ShapeRules {
     check.length("shape.radius", s.radius);
     check.length("shape.height", s.height);
   }
+  void operator()(const MeshShape& s) const {  // its vertices are checked once, where they come in
+    if (!s.mesh) check.fail("shape.mesh", "is missing");
+  }
 };
 
 struct LightRules {
@@ -55,6 +58,11 @@ struct LightRules {
                                     std::to_string(sky.image->channels) + " channels; expected 3 channels");
   }
 };
+
+void checkSlot(Checker& check, const std::string& field, const TextureSlot& slot) {
+  check.each(field + ".transformX", slot.transformX, -1e6, 1e6);
+  check.each(field + ".transformY", slot.transformY, -1e6, 1e6);
+}
 
 struct ContentRules {
   Checker& check;
@@ -102,6 +110,13 @@ void checkMaterial(Checker& check, const Material& material) {
   check.range("clearcoat", material.clearcoat, 0.0, 1.0);
   check.range("clearcoatRoughness", material.clearcoatRoughness, 0.0, 1.0);
   check.each("edgeTint", material.edgeTint, 0.0, 1.0);
+  check.range("normalScale", material.normalScale, 0.0, 100.0);
+  check.range("opacity", material.opacity, 0.0, 1.0);
+  check.range("alphaCutoff", material.alphaCutoff, 0.0, 1.0);
+  checkSlot(check, "albedoTexture", material.albedoTexture);
+  checkSlot(check, "metallicRoughnessTexture", material.metallicRoughnessTexture);
+  checkSlot(check, "normalTexture", material.normalTexture);
+  checkSlot(check, "emissionTexture", material.emissionTexture);
 }
 
 }  // namespace steradian

@@ -64,6 +64,18 @@ std::optional<Hit> meetGround(const Ray& ray, double tMin) {
   return Hit{t, {0.0, 1.0, 0.0}};
 }
 
+/// Moller and Trumbore 1997: t and the two barycentrics as ratios of determinants.
+std::optional<Hit> meetTriangle(const Ray& ray, double tMin, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
+  const double det = glm::dot(ab, p);
+  if (det == 0.0) return {};
+  const dvec3 toOrigin = ray.origin - a, q = glm::cross(toOrigin, ab);
+  const double u = glm::dot(toOrigin, p) / det, v = glm::dot(ray.direction, q) / det,
+               t = glm::dot(ac, q) / det;
+  if (u < 0.0 || v < 0.0 || u + v > 1.0 || !(t > tMin)) return {};
+  return Hit{t, glm::cross(ab, ac)};
+}
+
 struct Meet {
   const Ray& ray;
   double tMin;
@@ -98,6 +110,15 @@ struct Meet {
     const dvec3 p = ray.at(hit->t);
     if (p.x * p.x + p.z * p.z > d.radius * d.radius) return {};
     return hit;
+  }
+  std::optional<Hit> operator()(const MeshShape& s) const {
+    std::optional<Hit> nearest;
+    const auto& at = s.mesh->positions;
+    for (const glm::uvec3& t : s.mesh->triangles) {
+      const auto hit = meetTriangle(ray, tMin, dvec3(at[t.x]), dvec3(at[t.y]), dvec3(at[t.z]));
+      if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
+    }
+    return nearest;
   }
 };
 

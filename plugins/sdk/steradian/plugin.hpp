@@ -31,6 +31,11 @@ class Host {
   virtual double parameter(
       Text id) noexcept = 0;  // the user's value within its range, else the default; unknown: 0
   virtual void notKept(Text what, Text why) noexcept = 0;  // for the import report: approximated or dropped
+  // since 1.2
+  /// A file inside the folder of the imported file, by a relative path; the bytes live until the call
+  /// returns. Refused with a reason in `bytes` and the answer false: paths that lead out, what is no regular
+  /// file, what is too large.
+  virtual bool readBeside(Text path, Text& bytes) noexcept = 0;
 };
 
 /// Receives an imported scene. Only from the thread of the call. The host copies everything, validates it as
@@ -43,6 +48,9 @@ class SceneSink {
   virtual void addMaterial(const MaterialRecord& material) noexcept = 0;
   virtual void addObject(const ObjectRecord& object) noexcept = 0;
   virtual void addChannel(const ChannelRecord& channel) noexcept = 0;
+  // since 1.2
+  virtual void addMesh(const MeshRecord& mesh) noexcept = 0;
+  virtual void addTexture(const TextureRecord& texture) noexcept = 0;
 };
 
 /// The scene to export. Any thread. Everything is owned by the host and lives until the call returns.
@@ -57,6 +65,11 @@ class SceneView {
   virtual const ObjectRecord& object(std::uint64_t index) noexcept = 0;
   virtual std::uint64_t channelCount() noexcept = 0;
   virtual const ChannelRecord& channel(std::uint64_t index) noexcept = 0;
+  // since 1.2; ids are 1 + index
+  virtual std::uint64_t meshCount() noexcept = 0;
+  virtual const MeshRecord& mesh(std::uint64_t index) noexcept = 0;
+  virtual std::uint64_t textureCount() noexcept = 0;
+  virtual const TextureRecord& texture(std::uint64_t index) noexcept = 0;
 };
 
 /// Receives the bytes of the exported file in order; the host copies them and writes the file atomically at
@@ -64,6 +77,11 @@ class SceneView {
 class Writer {
  public:
   virtual void write(const void* data, std::uint64_t size) noexcept = 0;
+  // since 1.2
+  /// A file beside the exported one, by a relative path such as "NAME.assets/3f2a.mesh"; written before it.
+  virtual void writeBeside(Text path, const void* data, std::uint64_t size) noexcept = 0;
+  /// The stem of the exported file's name: "room" of "room.srad".
+  virtual Text stem() noexcept = 0;
 };
 
 /// An importer as the host sees it. Errors by Status; the reason through Host::fail. No exception leaves.

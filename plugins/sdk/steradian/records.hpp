@@ -13,7 +13,7 @@ namespace steradian::sdk {
 
 inline constexpr std::uint32_t kMagic = 0x53545244;  // "STRD"
 inline constexpr std::uint32_t kMajor = 1;           // a host loads exactly its own major ...
-inline constexpr std::uint32_t kMinor = 1;           // ... and every minor up to its own
+inline constexpr std::uint32_t kMinor = 2;           // ... and every minor up to its own
 
 enum class Status : std::uint32_t { ok = 0, badInput = 1, failed = 2, cancelled = 3 };
 
@@ -46,7 +46,9 @@ enum class ObjectKind : std::uint32_t {
   sphereLight = 11,
   rectLight = 12,
   diskLight = 13,
-  environmentLight = 14
+  environmentLight = 14,
+  // since 1.2
+  mesh = 15
 };
 
 /// One node of the scene. Fields that its kind does not name are ignored.
@@ -80,9 +82,44 @@ struct ObjectRecord {
   float angularDiameter = 0;      // directional: radians
   float horizon[3] = {1, 1, 1};   // environment: factors of its colour; the zenith has 1
   float ground[3] = {1, 1, 1};
-  std::uint32_t reserved = 0;  // keeps the end free of padding: what comes next starts here
+  std::uint32_t mesh = 0;  // since 1.2: mesh id; 1.1 left 0 here to keep the end free of padding
 };
 static_assert(sizeof(ObjectRecord) == 288);
+
+/// Triangles with attributes that are one per vertex, or absent (null). Counter-clockwise faces outward.
+struct MeshRecord {
+  std::uint32_t size = sizeof(MeshRecord);
+  std::uint32_t id = 0;  // > 0, unique over meshes
+  Text name = {};
+  std::uint64_t vertexCount = 0;
+  std::uint64_t triangleCount = 0;
+  const float* positions = nullptr;          // 3 per vertex, metres
+  const std::uint32_t* triangles = nullptr;  // 3 vertex indices per triangle
+  const float* normals = nullptr;            // 3, unit; absent = flat facets
+  const float* tangents = nullptr;           // 4: unit xyz along +u, w = sign of cross(normal, tangent)
+  const float* uv0 = nullptr;                // 2; (0, 0) = top left of a texture
+  const float* uv1 = nullptr;                // 2
+  const float* colors = nullptr;             // 4: linear RGBA in [0, 1]
+};
+
+/// An image for materials: a file beside the project, or the bytes of one (PNG, JPEG, HDR, EXR).
+struct TextureRecord {
+  std::uint32_t size = sizeof(TextureRecord);
+  std::uint32_t id = 0;  // > 0, unique over textures
+  Text name = {};
+  Text file = {};  // relative to the imported file's folder; empty = bytes
+  const void* bytes = nullptr;
+  std::uint64_t byteCount = 0;
+};
+
+/// A texture in one place of a material. Part of a record: never grows.
+struct TextureSlotRecord {
+  std::uint32_t texture = 0;                // id; 0 = none
+  std::uint32_t uvSet = 0;                  // 0 or 1
+  std::uint32_t wrapU = 0, wrapV = 0;       // 0 repeat, 1 clamp, 2 mirror
+  std::uint32_t nearest = 0;                // 1: texels as blocks
+  float transform[6] = {1, 0, 0, 0, 1, 0};  // textureU = [0] u + [1] v + [2], textureV = [3] u + [4] v + [5]
+};
 
 /// glTF 2.0 metallic-roughness with KHR_materials_specular's weight.
 struct MaterialRecord {
@@ -105,8 +142,19 @@ struct MaterialRecord {
   float clearcoat = 0;
   float clearcoatRoughness = 0;
   float edgeTint[3] = {1, 1, 1};  // metals: reflectance at 82 degrees beside Schlick's
+  // since 1.2: on meshes only
+  TextureSlotRecord albedoTexture;             // sRGB; RGB times albedo, A times opacity
+  TextureSlotRecord metallicRoughnessTexture;  // G times roughness, B times metallic
+  TextureSlotRecord normalTexture;             // tangent space, x and y times normalScale
+  TextureSlotRecord emissionTexture;           // sRGB; RGB times emissionColor
+  float normalScale = 1;
+  float opacity = 1;
+  std::uint32_t alphaMode = 0;   // 0 opaque, 1 mask, 2 blend
+  float alphaCutoff = 0.5f;      // mask: opaque from here on
+  std::uint32_t thinWalled = 0;  // 1: transmission through a sheet that encloses nothing
+  std::uint32_t padding = 0;     // what comes next starts at its end
 };
-static_assert(sizeof(MaterialRecord) == 128);
+static_assert(sizeof(MaterialRecord) == 328);
 
 struct RenderSettingsRecord {
   std::uint32_t size = sizeof(RenderSettingsRecord);
