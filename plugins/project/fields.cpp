@@ -57,7 +57,7 @@ void Fields::read(const char* key, std::span<double> out, const Range& range) {
 
 void Fields::read(const char* key, std::span<float> out, const Range& range) {
   if (!has(key)) return;
-  double values[4] = {};
+  double values[6] = {};
   const std::span<double> wide(values, out.size());
   read(key, wide, range);
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -6,7 +6,9 @@
 
 namespace project {
 
-inline constexpr std::uint32_t kVersion = 1;  // what this plugin writes, and the newest that it reads
+/// Version 2 added meshes, textures and what materials have for them; a scene without them is still written
+/// as 1.
+inline constexpr std::uint32_t kVersion = 2;
 
 inline constexpr const char* kFilters[] = {"box", "blackmanHarris"};
 inline constexpr const char* kTransfers[] = {"srgb", "gamma"};
@@ -17,7 +19,10 @@ inline constexpr const char* kInterpolations[] = {"step", "linear", "cubic"};
 inline constexpr const char* kContents[] = {
     "group",  "sphere",      "plane",      "box",       "rect",
     "disk",   "cylinder",    "pointLight", "spotLight", "directionalLight",
-    "camera", "sphereLight", "rectLight",  "diskLight", "environmentLight"};
+    "camera", "sphereLight", "rectLight",  "diskLight", "environmentLight",
+    "mesh"};
+inline constexpr const char* kAlphaModes[] = {"opaque", "mask", "blend"};
+inline constexpr const char* kWraps[] = {"repeat", "clamp", "mirror"};
 inline constexpr const char* kProjections[] = {"perspective", "orthographic"};
 
 /// What an object of this kind has where the file says nothing.

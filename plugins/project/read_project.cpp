@@ -1,156 +1,28 @@
 // SPDX-License-Identifier: MIT
 // .srad text -> records. Order of reading is the order of README.md.
 #include <algorithm>
-#include <deque>
-#include <unordered_set>
 #include <vector>
 
-#include "fields.hpp"
-#include "project.hpp"
+#include "assets.hpp"
+#include "texts.hpp"
 
 namespace project {
 
 namespace sdk = steradian::sdk;
-using sdk::ObjectKind;
 
 namespace {
-
-/// Records point into these texts until the sink has copied them.
-class Texts {
- public:
-  sdk::Text keep(std::string text) { return texts_.emplace_back(std::move(text)); }
-  sdk::Text read(Fields& fields, const char* key) {
-    std::string text;
-    fields.readText(key, text);
-    return keep(std::move(text));
-  }
-
- private:
-  std::deque<std::string> texts_;
-};
 
 void checkVersion(const Json& root) {
   const auto version = root.find("steradian");
   if (version == root.end())
     throw sdk::BadInput(
-        "/steradian: expected the format version 1, got nothing; is this a Steradian project?");
+        "/steradian: expected the format version, 1 or 2, got nothing; is this a Steradian project?");
   if (!version->is_number_unsigned() || *version == 0)
-    failAt("/steradian", "the format version, 1", *version);
+    failAt("/steradian", "the format version, 1 or 2", *version);
   if (*version > kVersion)
     throw sdk::BadInput("was written by a newer Steradian (version " + version->dump() +
                         "; this one reads up to " + std::to_string(kVersion) +
                         "); open it there, or update this one");
-}
-
-void readLight(Fields& f, sdk::ObjectRecord& out, Texts& texts) {
-  f.read("color", out.color, kNotNegative);
-  f.read("intensity", out.intensity, kNotNegative);
-  f.read("temperature", out.temperature, kNotNegative);
-  if (out.kind == ObjectKind::spotLight) {
-    f.read("innerConeAngle", out.innerConeAngle, kNotNegative);
-    f.read("outerConeAngle", out.outerConeAngle, kPositive);
-  }
-  if (out.kind == ObjectKind::directionalLight) f.read("angularDiameter", out.angularDiameter, kNotNegative);
-  if (out.kind == ObjectKind::sphereLight || out.kind == ObjectKind::diskLight)
-    f.read("radius", out.radius, kPositive);
-  if (out.kind == ObjectKind::rectLight) f.read("size", std::span(out.dimensions, 2), kPositive);
-  if (out.kind != ObjectKind::environmentLight) return;
-  f.read("horizon", out.horizon, kNotNegative);
-  f.read("ground", out.ground, kNotNegative);
-  out.imageFile = texts.read(f, "file");
-}
-
-void readCamera(Fields& f, sdk::ObjectRecord& out) {
-  f.read("fovY", out.fovY, kPositive);
-  f.readChoice("projection", out.projection, kProjections);
-  f.read("orthographicHeight", out.orthographicHeight, kPositive);
-  f.read("fNumber", out.fNumber, kNotNegative);
-  f.read("focusDistance", out.focusDistance, kPositive);
-}
-
-void readContent(Fields f, sdk::ObjectRecord& out, Texts& texts) {
-  out.radius = usualOf(out.kind).radius;
-  std::ranges::copy(usualOf(out.kind).dimensions, out.dimensions);
-  switch (out.kind) {
-    case ObjectKind::group:
-    case ObjectKind::plane:
-      break;
-    case ObjectKind::sphere:
-    case ObjectKind::disk:
-      f.read("radius", out.radius, kPositive);
-      break;
-    case ObjectKind::box:
-      f.read("size", out.dimensions, kPositive);
-      break;
-    case ObjectKind::rect:
-      f.read("size", std::span(out.dimensions, 2), kPositive);
-      break;
-    case ObjectKind::cylinder:
-      f.read("radius", out.radius, kPositive);
-      f.read("height", out.height, kPositive);
-      break;
-    case ObjectKind::pointLight:
-    case ObjectKind::spotLight:
-    case ObjectKind::directionalLight:
-    case ObjectKind::sphereLight:
-    case ObjectKind::rectLight:
-    case ObjectKind::diskLight:
-    case ObjectKind::environmentLight:
-      readLight(f, out, texts);
-      break;
-    case ObjectKind::camera:
-      readCamera(f, out);
-      break;
-  }
-}
-
-bool isShape(ObjectKind kind) {
-  return kind >= ObjectKind::sphere && kind <= ObjectKind::cylinder;
-}
-
-sdk::ObjectRecord readObject(Fields& f, Texts& texts) {
-  sdk::ObjectRecord out;
-  f.readUnsigned("id", out.id, 1);
-  out.name = texts.read(f, "name");
-  f.readUnsigned("parent", out.parent);
-  f.read("translation", out.translation);
-  f.read("rotation", out.rotation);
-  f.read("scale", out.scale);
-  f.readFlag("visible", out.visible);
-  for (std::uint32_t kind = 1; kind < std::size(kContents); ++kind) {
-    if (!f.has(kContents[kind])) continue;
-    if (out.kind != ObjectKind::group)
-      throw sdk::BadInput(f.path() + ": expected one content, got both \"" +
-                          kContents[std::uint32_t(out.kind)] + "\" and \"" + kContents[kind] + "\"");
-    out.kind = ObjectKind{kind};
-    f.within(kContents[kind], [&](Fields inner) { readContent(inner, out, texts); });
-  }
-  if (f.has("material") && !isShape(out.kind)) f.fail("material", "it only on an object with a shape");
-  f.readUnsigned("material", out.material);
-  out.extras = texts.keep(f.leftover());
-  return out;
-}
-
-sdk::MaterialRecord readMaterial(Fields& f, Texts& texts) {
-  static constexpr Range kIor{1, 1000, false, "a number from 1 to 1000"};
-  sdk::MaterialRecord out;
-  f.readUnsigned("id", out.id, 1);
-  out.name = texts.read(f, "name");
-  f.read("albedo", out.albedo, kUnit);
-  f.read("metallic", out.metallic, kUnit);
-  f.read("roughness", out.roughness, kUnit);
-  f.read("specular", out.specular, kUnit);
-  f.read("ior", out.ior, kIor);
-  f.read("emissionColor", out.emissionColor, kNotNegative);
-  f.read("emissionLuminance", out.emissionLuminance, kNotNegative);
-  f.read("transmission", out.transmission, kUnit);
-  f.read("attenuationColor", out.attenuationColor, kUnit);
-  f.read("attenuationDistance", out.attenuationDistance, kNotNegative);
-  f.read("clearcoat", out.clearcoat, kUnit);
-  f.read("clearcoatRoughness", out.clearcoatRoughness, kUnit);
-  f.read("edgeTint", out.edgeTint, kUnit);
-  out.extras = texts.keep(f.leftover());
-  return out;
 }
 
 void readRender(Fields f, sdk::SceneSink& sink) {
@@ -241,6 +113,8 @@ void readProject(sdk::Host& host, std::string_view bytes, sdk::SceneSink& sink) 
   root.readUnsigned("activeCamera", scene.activeCamera);
   root.within("render", [&](Fields f) { readRender(f, sink); });
   root.within("display", [&](Fields f) { readDisplay(f, sink); });
+
+  readAssets(host, root, texts, sink);
 
   std::vector<sdk::MaterialRecord> materials;
   std::vector<sdk::ObjectRecord> objects;

@@ -111,7 +111,7 @@ TEST_F(DamagedProject, DeepNesting) {
 
 TEST_F(DamagedProject, ANewerVersionIsRefusedPolitely) {
   EXPECT_CONTAINS(says(R"({"steradian": 3, "objects": "whatever"})"),
-                  "was written by a newer Steradian (version 3; this one reads up to 1)");
+                  "was written by a newer Steradian (version 3; this one reads up to 2)");
 }
 
 TEST_F(DamagedProject, AByteOrderMarkIsAccepted) {

@@ -342,8 +342,7 @@ TEST_F(ProjectFile, ACancelledSaveLeavesTheOldFile) {
 }
 
 TEST_F(ProjectFile, TheReadmesExampleOpens) {
-  const std::string readme =
-      readText(fs::path(__FILE__).parent_path() / "../../../plugins/project/README.md");
+  const std::string readme = readText(fs::path(PROJECT_FORMAT_README));
   const auto begin = readme.find("```json\n") + 8;
   writeText(folder / "a.srad", readme.substr(begin, readme.find("```", begin) - begin));
   EXPECT_EQ(stockPlugins().importScene(folder / "a.srad").scene.objects.size(), 4u);
