@@ -64,9 +64,9 @@ TEST_F(BrokenPlugins, AForeignLibraryWithoutTheNote) {
 
 // These abort as soon as any of their code runs: the reason shows that none did.
 TEST_F(BrokenPlugins, ANewerOrOlderInterfaceIsRefusedBeforeItsCodeRuns) {
-  EXPECT_CONTAINS(reasonFor(add("interface_2")), "built for interface 2.0, this host speaks 1.1");
-  EXPECT_CONTAINS(reasonFor(add("interface_0")), "built for interface 0.0, this host speaks 1.1; rebuild");
-  EXPECT_CONTAINS(reasonFor(add("minor_9")), "built for interface 1.9, this host speaks 1.1; update");
+  EXPECT_CONTAINS(reasonFor(add("interface_2")), "built for interface 2.0, this host speaks 1.2");
+  EXPECT_CONTAINS(reasonFor(add("interface_0")), "built for interface 0.0, this host speaks 1.2; rebuild");
+  EXPECT_CONTAINS(reasonFor(add("minor_9")), "built for interface 1.9, this host speaks 1.2; update");
 }
 
 TEST_F(BrokenPlugins, AnEntryThatIsTooSmall) {
@@ -74,7 +74,7 @@ TEST_F(BrokenPlugins, AnEntryThatIsTooSmall) {
 }
 
 TEST_F(BrokenPlugins, AnEntryThatContradictsItsNote) {
-  EXPECT_CONTAINS(reasonFor(add("lying_note")), "built for interface 7.1");
+  EXPECT_CONTAINS(reasonFor(add("lying_note")), "built for interface 7.2");
 }
 
 TEST_F(BrokenPlugins, AStaticInitialiserThatAbortsOrExits) {

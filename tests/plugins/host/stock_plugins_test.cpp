@@ -11,9 +11,9 @@ namespace {
 TEST(StockPlugins, AreAllLoadedWithoutAnyReasonAgainst) {
   for (const PluginFile& file : stockPlugins().files())
     EXPECT_TRUE(file.loaded) << file.path << ": " << file.reason;
-  EXPECT_EQ(stockPlugins().files().size(), 9u);
-  EXPECT_EQ(stockPlugins().contributions(Kind::importer).size(), 1u);
-  EXPECT_EQ(stockPlugins().contributions(Kind::exporter).size(), 3u);
+  EXPECT_EQ(stockPlugins().files().size(), 13u);
+  EXPECT_EQ(stockPlugins().contributions(Kind::importer).size(), 4u);
+  EXPECT_EQ(stockPlugins().contributions(Kind::exporter).size(), 5u);
   EXPECT_EQ(stockPlugins().contributions(Kind::tonemapper).size(), 6u);
 }
 
@@ -35,7 +35,8 @@ TEST(StockPlugins, ChooseExportersByExtensionWhateverItsCase) {
   EXPECT_EQ(stockPlugins().exporterFor("a.png", true)->id, "org.steradian.png");
   EXPECT_EQ(stockPlugins().exporterFor("a.png", false), nullptr);
   EXPECT_EQ(stockPlugins().exporterFor("a.srad", false)->id, "org.steradian.project");
-  EXPECT_TRUE(stockPlugins().canImport("a.srad"));
+  for (const char* name : {"a.srad", "a.OBJ", "a.ply", "a.gltf", "a.glb"})
+    EXPECT_TRUE(stockPlugins().canImport(name)) << name;
   EXPECT_FALSE(stockPlugins().canImport("a.png"));
 }
 
@@ -61,7 +62,7 @@ TEST_F(Start, SurvivesADamagedCache) {
   fs::create_directories(folder / "cache/steradian");
   for (const char* text : {"", "{", "[]", "{\"a\": 1}", "\xff"}) {
     writeText(folder / "cache/steradian/plugins.json", text);
-    EXPECT_EQ(PluginHost({STOCK_PLUGINS}).contributions(Kind::exporter).size(), 3u) << text;
+    EXPECT_EQ(PluginHost({STOCK_PLUGINS}).contributions(Kind::exporter).size(), 5u) << text;
   }
 }
 

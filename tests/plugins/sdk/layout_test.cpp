@@ -35,12 +35,21 @@ TEST(Layout, OfInterface10DoesNotMove) {
 TEST(Layout, OfInterface11BeginsWhereInterface10Ended) {
   EXPECT_EQ(offsetof(ObjectRecord, imageFile), 208u);
   EXPECT_EQ(offsetof(ObjectRecord, ground), 272u);
-  EXPECT_EQ(sizeof(ObjectRecord), 288u);
   EXPECT_EQ(offsetof(MaterialRecord, transmission), 88u);
   EXPECT_EQ(offsetof(MaterialRecord, edgeTint), 116u);
-  EXPECT_EQ(sizeof(MaterialRecord), 128u);
   EXPECT_EQ(offsetof(RenderSettingsRecord, energyCompensation), 36u);
   EXPECT_EQ(offsetof(DisplaySettingsRecord, physical), 48u);
+}
+
+TEST(Layout, OfInterface12BeginsWhereInterface11Ended) {
+  EXPECT_EQ(offsetof(ObjectRecord, mesh), 284u);  // was padding that 1.1 left 0
+  EXPECT_EQ(sizeof(ObjectRecord), 288u);
+  EXPECT_EQ(offsetof(MaterialRecord, albedoTexture), 128u);
+  EXPECT_EQ(offsetof(MaterialRecord, thinWalled), 320u);
+  EXPECT_EQ(sizeof(MaterialRecord), 328u);
+  EXPECT_EQ(sizeof(TextureSlotRecord), 44u);
+  EXPECT_EQ(sizeof(MeshRecord), 96u);
+  EXPECT_EQ(sizeof(TextureRecord), 56u);
 }
 
 /// `Record` as a plugin of interface 1.0 makes it: `size` bytes long, garbage beyond.
