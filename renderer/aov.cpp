@@ -38,7 +38,7 @@ std::uint32_t groups(std::uint32_t pixels) {
 
 class FirstHitPass {
  public:
-  FirstHitPass(const Device& device, Extent extent, const Buffer& rows, const Buffer& tables)
+  FirstHitPass(const Device& device, Extent extent, const TexelBuffers& scene)
       : device_(device),
         extent_(extent),
         pixels_(std::size_t(extent.width) * extent.height),
@@ -47,7 +47,7 @@ class FirstHitPass {
         normal_(device, BufferKind::deviceLocal, pixels_ * 16, "normals"),
         object_(device, BufferKind::deviceLocal, pixels_ * 4, "object ids"),
         storage_{&albedo_, &normal_, &object_},
-        bindings_(device, &rows, storage_, &tables) {}
+        bindings_(device, scene, storage_) {}
 
   /// All rows of the film, in bands of bounded work.
   FirstHits run(TraceParams params, std::uint32_t samples, std::uint64_t testsPerVertex) {
@@ -158,9 +158,9 @@ std::vector<AovLayer> Renderer::aovs(const AovRequest& request) {
     throw Error(ExitCode::usage, "the variance of the pixels needs the error meter");
   if (!std::all_of(kinds.begin(), kinds.end(), ofFilm)) {
     TraceParams params = impl_->scene.params;
-    FirstHitPass pass(*impl_->device, extent, impl_->rows, impl_->tables);
-    hits =
-        pass.run(params, std::uint32_t(std::clamp(request.samples, 1, 4096)), iterationsPerVertex(params, 1));
+    FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers());
+    hits = pass.run(params, std::uint32_t(std::clamp(request.samples, 1, 4096)),
+                    iterationsPerVertex(params, 1, impl_->scene.meshSteps));
   }
   std::vector<AovLayer> layers;
   for (const Aov kind : kinds)

@@ -2,6 +2,7 @@
 #include "renderer/energy_table.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "renderer/facet_albedo.hpp"
 #include "shaders/gpu_types.h"
@@ -12,14 +13,13 @@ namespace {
 
 constexpr int cells = int(gpu::ENERGY_CELLS), corners = cells + 1;
 
-// At the corners of the cells, cosine by cosine.
+// At the corners of the cells, cosine by cosine, evenly in the fourth roots of alpha and of the cosine.
 std::vector<FacetAlbedo> albedosAtCorners() {
   const Quadrature rule = gaussLegendre(16);
   std::vector<FacetAlbedo> albedos;
   for (int y = 0; y < corners; ++y)
     for (int x = 0; x < corners; ++x) {
-      const double roughness = double(x) / cells, root = double(y) / cells;
-      albedos.push_back(facetAlbedo(roughness * roughness, root * root, rule));
+      albedos.push_back(facetAlbedo(std::pow(double(x) / cells, 4), std::pow(double(y) / cells, 4), rule));
     }
   return albedos;
 }

@@ -13,14 +13,14 @@ Film::Film(const Device& device, Extent extent) : device_(device), extent_(exten
   counters_ = Buffer(device, BufferKind::deviceLocal, COUNTERS * 4, "counters");
 }
 
-void Film::bind(const Buffer& rows, const Buffer& tables) {
+void Film::bind(const TexelBuffers& scene) {
   const auto& b = buffers_;
   const Buffer* const all[] = {&b[0], &b[1], &b[2], &b[3], nullptr, &partials_, &picked_};
-  bindings_.emplace(device_, &rows, all, &tables);
+  bindings_.emplace(device_, scene, all);
   halfBindings_.clear();
   for (const int half : {0, 1}) {
     const Buffer* const own[] = {&b[2 * half], &b[2 * half + 1], nullptr, nullptr, &counters_};
-    halfBindings_.emplace_back(device_, &rows, own, &tables);
+    halfBindings_.emplace_back(device_, scene, own);
   }
 }
 

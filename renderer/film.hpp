@@ -27,8 +27,8 @@ class Film {
   /// Throws Error(noDevice) when memory or one binding is too small for the extent.
   Film(const gpu::Device& device, Extent extent);
 
-  /// Bind with these scene rows and tables (after each new buffer of either).
-  void bind(const gpu::Buffer& rows, const gpu::Buffer& tables);
+  /// Bind with these buffers (after each new one among them).
+  void bind(const gpu::TexelBuffers& scene);
   void clear(std::uint64_t firstSample);
 
   Extent extent() const { return extent_; }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "renderer/gpu_textures.hpp"
 #include "renderer/scene/fresnel.hpp"
 
 namespace steradian {
@@ -35,6 +36,17 @@ bool hasEdgeTint(const Material& m) {
   return m.metallic > 0.0f && m.edgeTint != glm::vec3(1.0f);
 }
 
+// What only meshes can show.
+std::uint32_t meshBits(const Material& m, std::uint32_t vertexFlags) {
+  const bool colors = (vertexFlags & MESH_COLORS) != 0;
+  const bool textures = isUsable(m.albedoTexture) || isUsable(m.metallicRoughnessTexture) ||
+                        isUsable(m.normalTexture) || isUsable(m.emissionTexture);
+  const bool holes =
+      m.alphaMode != AlphaMode::opaque && (m.opacity < 1.0f || colors || isUsable(m.albedoTexture));
+  return (colors || textures ? FEATURE_TEXTURES : 0u) | (holes ? FEATURE_ALPHA | MATERIAL_ALPHA : 0u) |
+         (holes && m.alphaMode == AlphaMode::mask ? MATERIAL_MASK : 0u) | (m.thinWalled ? MATERIAL_THIN : 0u);
+}
+
 }  // namespace
 
 Material materialOf(const Scene& scene, const SurfaceLink& link) {
@@ -45,19 +57,23 @@ Material materialOf(const Scene& scene, const SurfaceLink& link) {
 
 std::uint32_t materialBits(const Material& m, const SurfaceLink& link) {
   const float alpha = m.roughness * m.roughness;
-  const bool glass = m.metallic < 1.0f && m.transmission > 0.0f;
+  const bool varied = link.vertexFlags && isUsable(m.metallicRoughnessTexture);
+  const bool dielectric = m.metallic < 1.0f || varied;
+  const bool glass = dielectric && m.transmission > 0.0f;
   const bool specular = m.metallic > 0.0f || m.specular > 0.0f || glass;
   const bool flatLight = link.light && !std::holds_alternative<SphereLight>(link.light->kind);
-  return (m.metallic < 1.0f && m.transmission < 1.0f ? FEATURE_DIFFUSE : 0u) |
+  return (dielectric && m.transmission < 1.0f ? FEATURE_DIFFUSE : 0u) |
          (specular && alpha >= mirrorAlpha ? FEATURE_GLOSSY : 0u) |
-         (specular && alpha < mirrorAlpha ? FEATURE_MIRROR : 0u) |
+         (specular && (alpha < mirrorAlpha || varied) ? FEATURE_MIRROR : 0u) |
          (m.emissionLuminance > 0.0f ? FEATURE_EMISSION : 0u) | (flatLight ? MATERIAL_ONE_SIDED : 0u) |
          (glass ? FEATURE_TRANSMISSION : 0u) | (m.clearcoat > 0.0f ? FEATURE_CLEARCOAT : 0u) |
          (hasEdgeTint(m) ? FEATURE_EDGE_TINT : 0u) |
-         (absorptionOf(m) != glm::vec3(0.0f) ? FEATURE_ABSORPTION : 0u);
+         (absorptionOf(m) != glm::vec3(0.0f) ? FEATURE_ABSORPTION : 0u) |
+         (link.vertexFlags ? meshBits(m, *link.vertexFlags) : 0u);
 }
 
-void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t bits, std::uint32_t light) {
+void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t bits, std::uint32_t light,
+                  const glm::uvec4& refs) {
   const float ratio = (m.ior - 1.0f) / (m.ior + 1.0f);
   // Glass reflects by Fresnel's equations, which know no weight.
   const float specular = m.transmission > 0.0f ? 1.0f : m.specular;
@@ -69,6 +85,9 @@ void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t
   rows.emplace_back(m.transmission, m.ior, m.clearcoat, coatAlpha);
   rows.emplace_back(absorptionOf(m), 0.0f);
   rows.emplace_back(f82Coefficient(m.albedo, m.edgeTint), 0.0f);
+  rows.emplace_back(std::bit_cast<float>(refs.x), std::bit_cast<float>(refs.y), std::bit_cast<float>(refs.z),
+                    std::bit_cast<float>(refs.w));
+  rows.emplace_back(m.normalScale, m.opacity, m.alphaCutoff, 0.0f);
 }
 
 }  // namespace steradian

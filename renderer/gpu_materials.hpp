@@ -13,8 +13,8 @@ namespace steradian {
 Material materialOf(const Scene& scene, const SurfaceLink& link);
 /// FEATURE_* and MATERIAL_* bits of the material on a primitive.
 std::uint32_t materialBits(const Material& material, const SurfaceLink& link);
-/// MATERIAL_ROWS rows; `light` samples the primitive, or is NO_LIGHT.
+/// MATERIAL_ROWS rows; `light` samples the primitive, or is NO_LIGHT; `refs` are rows of texture references.
 void pushMaterial(std::vector<glm::vec4>& rows, const Material& material, std::uint32_t bits,
-                  std::uint32_t light);
+                  std::uint32_t light, const glm::uvec4& refs = glm::uvec4(0));
 
 }  // namespace steradian

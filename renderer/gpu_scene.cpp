@@ -10,6 +10,7 @@
 #include "renderer/gpu_environment.hpp"
 #include "renderer/gpu_lights.hpp"
 #include "renderer/gpu_materials.hpp"
+#include "renderer/gpu_meshes.hpp"
 #include "renderer/gpu_shapes.hpp"
 #include "renderer/light_tree.hpp"
 #include "renderer/pixel_filter.hpp"
@@ -51,7 +52,6 @@ std::vector<glm::vec4> tabulated(const std::vector<double>& table) {
   return made;
 }
 
-// The generic variant always reads the table, so it must hold the box too.
 const std::vector<glm::vec4>& filterRows(PixelFilter filter) {
   static const std::vector<glm::vec4> box = tabulated(boxInverseCdf(FILTER_ROWS));
   static const std::vector<glm::vec4> blackmanHarris = tabulated(blackmanHarrisInverseCdf(FILTER_ROWS));
@@ -81,15 +81,15 @@ double largeRadiusOf(const std::vector<Placed>& objects) {
 }
 
 void appendShapes(GpuScene& out, const ShapeLists& lists) {
-  std::uint32_t* const counts[] = {&out.params.sphereCount,      &out.params.planeCount,
-                                   &out.params.largeSphereCount, &out.params.boxCount,
-                                   &out.params.rectCount,        &out.params.diskCount,
-                                   &out.params.cylinderCount,    &out.params.ellipsoidCount};
+  std::uint32_t* const counts[] = {
+      &out.params.sphereCount,   &out.params.planeCount,     &out.params.largeSphereCount,
+      &out.params.boxCount,      &out.params.rectCount,      &out.params.diskCount,
+      &out.params.cylinderCount, &out.params.ellipsoidCount, &out.params.instanceCount};
   for (int k = 0; k < shapeKinds; ++k) {
     const ShapeList& list = lists.kinds[k];
     *counts[k] = std::uint32_t(list.links.size());
     out.rows.insert(out.rows.end(), list.rows.begin(), list.rows.end());
-    if (!list.links.empty()) out.features |= 1u << k;
+    if (!list.links.empty()) out.features |= k == instances ? FEATURE_MESHES : 1u << k;
   }
 }
 
@@ -101,14 +101,16 @@ void appendCamera(GpuScene& out, const Scene& scene, const CameraView& view, Ext
   out.rows = cameraRows(view);
   const std::vector<glm::vec4>& filter = filterRows(scene.render.filter);
   out.rows.insert(out.rows.end(), filter.begin(), filter.end());
-  if (scene.render.filter == PixelFilter::blackmanHarris) out.features |= FEATURE_FILTER_TABLE;
   if (lensRadius(view) > 0.0) out.features |= FEATURE_LENS;
   if (view.lens.projection == Projection::orthographic) out.features |= FEATURE_ORTHOGRAPHIC;
 }
 
 // Materials and object ids in the order of the primitives; emissive ones join the lights.
-void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes, LightRows& lights) {
+void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes, LightRows& lights,
+                    TexturePlaces& textures) {
   std::vector<glm::vec4> objects;
+  for (const SurfaceLink& link : shapes.kinds[instances].links)
+    textures.refs(materialOf(scene, link), out.rows);
   out.params.materialRow = std::uint32_t(out.rows.size());
   const auto append = [&](const SurfaceLink& link, int kind, const Placement& place) {
     const Material material = materialOf(scene, link);
@@ -119,8 +121,9 @@ void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
         emits ? lights.addEmitter(ShapeKind(kind), place, radiance, (bits & MATERIAL_ONE_SIDED) != 0,
                                   std::uint32_t(objects.size()))
               : NO_LIGHT;
-    pushMaterial(out.rows, material, bits, light);
-    out.features |= bits & ~MATERIAL_ONE_SIDED;
+    const TextureRefs refs = link.vertexFlags ? textures.refs(material, out.rows) : TextureRefs(0);
+    pushMaterial(out.rows, material, bits, light, refs);
+    out.features |= bits & ~MATERIAL_OWN_BITS;
     objects.emplace_back(std::bit_cast<float>(std::uint32_t(link.object)), 0.0f, 0.0f, 0.0f);
   };
   for (int kind = 0; kind < shapeKinds; ++kind)
@@ -162,6 +165,13 @@ void appendEnvironment(GpuScene& out, const std::vector<Placed>& objects) {
   out.features |= out.environment ? FEATURE_ENVIRONMENT | FEATURE_ENVIRONMENT_IMAGE : FEATURE_ENVIRONMENT;
 }
 
+void appendTopLevel(GpuScene& out, const InstanceList& instances) {
+  const std::vector<glm::vec4> rows = instances.topLevelRows();
+  out.params.topLevelRow = std::uint32_t(out.rows.size());
+  out.rows.insert(out.rows.end(), rows.begin(), rows.end());
+  out.meshSteps = instances.worstSteps();
+}
+
 void applySettings(GpuScene& out, const RenderSettings& s) {
   out.params.seed = s.seed;
   out.params.maxBounces = std::uint32_t(std::clamp(s.maxBounces, 0, 64));
@@ -180,30 +190,50 @@ void applySettings(GpuScene& out, const RenderSettings& s) {
 
 bool GpuScene::sameRadiance(const GpuScene& other) const {
   return rows.size() == other.rows.size() && features == other.features && environment == other.environment &&
+         meshes == other.meshes && vertices == other.vertices && textures == other.textures &&
          std::memcmp(&params, &other.params, sizeof params) == 0 &&
          std::memcmp(rows.data(), other.rows.data(), rows.size() * sizeof(glm::vec4)) == 0;
 }
 
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
+  MeshCache meshes;
+  TextureCache textures;
+  return packScene(scene, view, film, meshes, textures);
+}
+
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
+                   TextureCache& textures) {
   GpuScene out;
   applySettings(out, scene.render);
   appendCamera(out, scene, view, film);
   const std::vector<Placed> objects = visibleObjects(scene);
   const double largeRadius = largeRadiusOf(objects);
+  const MeshPlaces places(scene, meshes);
+  for (const MeshPlace& place : places.all()) {
+    out.meshes.push_back(place.bvh);
+    out.vertices.push_back(place.vertices);
+  }
+  TexturePlaces texturePlaces(scene, textures);
+  out.textures = texturePlaces.all();
+  InstanceList instanceList;
   ShapeLists shapes;
   LightRows lights;
   for (const Placed& p : objects) {
     if (const auto* g = std::get_if<Geometry>(&p.object->content)) {
+      if (const auto* m = std::get_if<MeshShape>(&g->shape))
+        instanceList.add(places.of(*m->mesh), p.world, out.origin, {g->material, p.object->id});
       shapes.add(g->shape, p.world, out.origin, {g->material, p.object->id}, largeRadius);
     } else if (const auto* light = std::get_if<Light>(&p.object->content)) {
       shapes.addLight(*light, p.world, out.origin, p.object->id, largeRadius);
       lights.addPunctual(*light, p.world, out.origin);
     }
   }
+  shapes.kinds[instances] = instanceList.shapes;
   appendShapes(out, shapes);
-  appendSurfaces(out, scene, shapes, lights);
+  appendSurfaces(out, scene, shapes, lights, texturePlaces);
   appendLights(out, lights);
   appendEnvironment(out, objects);
+  appendTopLevel(out, instanceList);
   constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
   if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
   return out;

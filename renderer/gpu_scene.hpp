@@ -8,6 +8,9 @@
 
 #include <glm/glm.hpp>
 
+#include "renderer/gpu_textures.hpp"
+#include "renderer/mesh/bvh.hpp"
+#include "renderer/mesh/vertex_rows.hpp"
 #include "renderer/renderer.hpp"
 #include "shaders/gpu_types.h"
 
@@ -19,12 +22,20 @@ struct GpuScene {
   gpu::TraceParams params{};   // counts, table rows and settings; rows and samples of a dispatch left 0
   std::uint32_t features = 0;  // FEATURE_* bits that this scene needs
   glm::dvec3 origin{0.0};      // world position of the rows' origin (the camera)
-  std::shared_ptr<const Image> environment;  // whose tables the shaders read; null = none
+  std::shared_ptr<const Image> environment;                    // whose tables the shaders read; null = none
+  std::vector<std::shared_ptr<const MeshBvh>> meshes;          // what lies in the mesh buffer, in this order
+  std::vector<std::shared_ptr<const VertexRows>> vertices;     // of these meshes
+  std::vector<std::shared_ptr<const PackedTexture>> textures;  // what lies in the texel buffer, in this order
+  double meshSteps = 0.0;  // loop turns of the worst of some rays through all instances
 
   bool sameRadiance(const GpuScene& other) const;
 };
 
-/// Invisible objects and shapes without extent are left out.
+class MeshCache;
+
+/// Invisible objects and shapes without extent are left out. The caches keep what is heavy for the next call.
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
+                   TextureCache& textures);
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film);
 
 }  // namespace steradian

@@ -109,6 +109,7 @@ double smallestExtent(const Shape& shape, const glm::dmat4& worldFromObject) {
     double operator()(const Rect& r) const { return std::min(r.size.x, r.size.y); }
     double operator()(const Disk& d) const { return d.radius; }
     double operator()(const Cylinder& c) const { return std::min(c.radius, c.height); }
+    double operator()(const MeshShape&) const { return std::numeric_limits<double>::infinity(); }
   };
   return scale * std::visit(Extent{}, shape);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Analytic shapes -> rows, one list per kind in upload order.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "renderer/gpu_scene.hpp"
@@ -11,7 +12,8 @@ namespace steradian {
 struct SurfaceLink {
   Id material;
   Id object;
-  const Light* light = nullptr;  // the primitive is this area light's body
+  const Light* light = nullptr;                   // the primitive is this area light's body
+  std::optional<std::uint32_t> vertexFlags = {};  // of meshes: MESH_*
 };
 
 /// Where a primitive is: its unit shape in camera-relative world axes.
@@ -27,7 +29,18 @@ struct ShapeList {
 };
 
 /// Kinds in upload order.
-enum ShapeKind { spheres, planes, largeSpheres, boxes, rects, disks, cylinders, ellipsoids, shapeKinds };
+enum ShapeKind {
+  spheres,
+  planes,
+  largeSpheres,
+  boxes,
+  rects,
+  disks,
+  cylinders,
+  ellipsoids,
+  instances,
+  shapeKinds
+};
 
 struct ShapeLists {
   ShapeList kinds[shapeKinds];

@@ -16,10 +16,11 @@ std::uint64_t primitives(const gpu::TraceParams& p) {
 
 }  // namespace
 
-std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples) {
+std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples,
+                                  double meshSteps) {
   // Every loop also counts its last, failing test; the generic variant makes that test of all loops.
   constexpr std::uint64_t loopsPerTraversal = 8;
-  const std::uint64_t traversal = primitives(params) + loopsPerTraversal;
+  const std::uint64_t traversal = primitives(params) + loopsPerTraversal + std::uint64_t(meshSteps);
   const bool sky = (params.flags & gpu::TRACE_ENVIRONMENT) != 0;
   const bool someLights = params.lightCount > lightSamples;
   const std::uint64_t choice = (someLights ? lightTreeDepth(params.lightCount) : 0) + 1;
@@ -29,14 +30,16 @@ std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t 
   return 1 + traversal + lights + environment + metLights;
 }
 
-LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget) {
+LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double meshSteps) {
   const std::uint64_t vertices = params.maxBounces + ((params.flags & gpu::TRACE_MET_LIGHTS) != 0 ? 2 : 1);
   LoopPlan plan;
   plan.lightSamples = std::min(params.lightSamples, std::max(params.lightCount, 1u));
-  while (plan.lightSamples > 1 && iterationsPerVertex(params, plan.lightSamples) * vertices > budget)
+  while (plan.lightSamples > 1 &&
+         iterationsPerVertex(params, plan.lightSamples, meshSteps) * vertices > budget)
     plan.lightSamples -= 1;
-  const std::uint64_t perSample = iterationsPerVertex(params, plan.lightSamples) * vertices;
-  if (perSample > budget) {
+  const std::uint64_t perSample = iterationsPerVertex(params, plan.lightSamples, meshSteps) * vertices;
+  // What meshes need is a guess on the safe side: a sample that runs out after all is counted as a fault.
+  if (iterationsPerVertex(params, 1) * vertices > budget) {
     const std::uint64_t fitting = budget / iterationsPerVertex(params, 1);
     throw Error(ExitCode::badInput,
                 "This scene has " + std::to_string(primitives(params)) + " shapes; with " +
@@ -45,7 +48,7 @@ LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget) {
                     " loop iterations, this device's driver stops at 65,535. Set the bounces to " +
                     std::to_string(fitting > 0 ? fitting - 1 : 0) + " or less, hide shapes, or use a GPU.");
   }
-  plan.samplesPerDispatch = std::uint32_t(std::min<std::uint64_t>(budget / perSample, 4096));
+  plan.samplesPerDispatch = std::uint32_t(std::clamp<std::uint64_t>(budget / perSample, 1, 4096));
   return plan;
 }
 

@@ -8,8 +8,10 @@
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/render_target.hpp"
 #include "renderer/gpu_environment.hpp"
+#include "renderer/mesh_buffer.hpp"
 #include "renderer/renderer_impl.hpp"
 #include "renderer/shader_code.hpp"
+#include "renderer/texel_buffer.hpp"
 
 namespace steradian {
 
@@ -49,7 +51,7 @@ Renderer::Impl::Impl(std::shared_ptr<Device> opened)
       display(*device) {}
 
 void Renderer::Impl::upload(GpuScene next, Extent extent) {
-  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device));
+  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device), next.meshSteps);
   const std::size_t bytes = next.rows.size() * sizeof(glm::vec4);
   const bool newFilm = !film || film->extent() != extent;
   const bool newRows = rows.size() < bytes;
@@ -58,6 +60,10 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
   Buffer freshRows = newRows ? Buffer(*device, BufferKind::upload, std::bit_ceil(bytes), "scene") : Buffer();
   const bool newTables = !tables || next.environment != scene.environment;
   Buffer freshTables = newTables ? makeTables(*device, next.environment.get()) : Buffer();
+  const bool newMeshes = next.meshes != scene.meshes || next.vertices != scene.vertices;
+  Buffer freshMeshes = newMeshes ? meshBuffer(*device, next) : Buffer();
+  const bool newTexels = next.textures != scene.textures;
+  Buffer freshTexels = newTexels ? texelBuffer(*device, next) : Buffer();
   if (newFilm) {
     preview.reset();
     showPreview = false;
@@ -65,12 +71,15 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
   film = std::move(freshFilm);
   if (newRows) rows = std::move(freshRows);
   if (newTables) tables = std::move(freshTables);
+  if (newMeshes) meshes = std::move(freshMeshes);
+  if (newTexels) texels = std::move(freshTexels);
   rows.writeRows(0, std::span<const glm::vec4>(next.rows));
-  if (newFilm || newRows || newTables) film->bind(rows, tables);
-  if ((newRows || newTables) && preview) preview->bind(rows, tables);
+  const bool newBuffers = newRows || newTables || newMeshes || newTexels;
+  if (newFilm || newBuffers) film->bind(sceneBuffers());
+  if (newBuffers && preview) preview->bind(sceneBuffers());
   scene = std::move(next);
   plan = nextPlan;
-  tracer.sceneChanged(double(iterationsPerVertex(scene.params, plan.lightSamples)));
+  tracer.sceneChanged(double(iterationsPerVertex(scene.params, plan.lightSamples, scene.meshSteps)));
   restart();
 }
 
@@ -82,6 +91,8 @@ void Renderer::Impl::restart() {
   const double compileSeconds = stats.compileSeconds;
   stats = {};
   stats.compileSeconds = compileSeconds;
+  stats.meshBytes = meshes.size();
+  stats.textureBytes = texels.size();
 }
 
 Film& Renderer::Impl::currentFilm() {
@@ -135,7 +146,7 @@ bool Renderer::Impl::tracePreview(double budgetMs) {
                       std::max(1, film->extent().height / factor)};
   if (!preview || preview->extent() != coarse) {
     preview = std::make_shared<Film>(*device, coarse);
-    preview->bind(rows, tables);
+    preview->bind(sceneBuffers());
   }
   preview->clear(sampleBegin);
   GpuScene coarseScene = scene;
@@ -164,7 +175,7 @@ Renderer::Renderer(std::shared_ptr<Device> device) : impl_(std::make_unique<Impl
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(const Scene& scene, const CameraView& view, Extent film) {
-  GpuScene next = packScene(scene, view, film);
+  GpuScene next = packScene(scene, view, film, impl_->meshCache, impl_->textureCache);
   next.params.flags |= ablationFlags(impl_->ablation);
   const bool sameFilm = impl_->film && impl_->film->extent() == film;
   if (sameFilm && next.sameRadiance(impl_->scene)) return;

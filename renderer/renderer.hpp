@@ -93,6 +93,7 @@ struct RenderStats {
   double msPerSample = 0.0;      // of the whole film, recent average
   double mraysPerSecond = 0.0;   // closest + shadow, recent average
   double compileSeconds = 0.0;   // of pipelines, in all
+  std::size_t meshBytes = 0, textureBytes = 0;  // on the device
   ErrorEstimate error;
   VariantInfo variant;
 };

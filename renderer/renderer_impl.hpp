@@ -5,6 +5,7 @@
 
 #include "renderer/display.hpp"
 #include "renderer/error_meter.hpp"
+#include "renderer/gpu_meshes.hpp"
 #include "renderer/renderer.hpp"
 #include "renderer/resolve.hpp"
 #include "renderer/tracer.hpp"
@@ -28,6 +29,7 @@ struct Renderer::Impl {
   /// What should be on screen: the preview until the film has a whole pass.
   std::shared_ptr<const Film> shownFilm() const { return showPreview ? preview : film; }
   const ResolvedPicture& resolveNow();
+  gpu::TexelBuffers sceneBuffers() const { return {&rows, &tables, &meshes, &texels}; }
   bool metered() const { return (scene.params.flags & gpu::TRACE_ERROR_METER) != 0; }
 
   std::shared_ptr<gpu::Device> device;
@@ -39,9 +41,11 @@ struct Renderer::Impl {
   Display display;
 
   Ablation ablation;
+  MeshCache meshCache;
+  TextureCache textureCache;
   GpuScene scene;
   LoopPlan plan;
-  gpu::Buffer rows, tables;
+  gpu::Buffer rows, tables, meshes, texels;
   std::shared_ptr<Film> film, preview;
   ResolvedPicture picture;  // for stills and read-back
   bool stale = true;        // the film's samples belong to an older scene

@@ -15,8 +15,8 @@ void ResolvedPicture::prepare(const Device& device, std::shared_ptr<const Film> 
   const auto& b = film_->buffers();
   const Buffer* const all[] = {&b[0], &b[1], &b[2], &b[3], &buffer_};
   const Buffer* const shown[] = {nullptr, nullptr, nullptr, nullptr, &buffer_};
-  resolving_.emplace(device, nullptr, all);
-  displaying_.emplace(device, nullptr, shown);
+  resolving_.emplace(device, gpu::TexelBuffers{}, all);
+  displaying_.emplace(device, gpu::TexelBuffers{}, shown);
 }
 
 std::uint32_t ResolvedPicture::groupsY() const {

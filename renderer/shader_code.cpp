@@ -4,6 +4,7 @@
 namespace steradian {
 namespace {
 #include "shaders/aov.comp.h"
+#include "shaders/cast_rays.comp.h"
 #include "shaders/display.frag.text.h"
 #include "shaders/display.vert.h"
 #include "shaders/gpu_types.h.text.h"
@@ -27,6 +28,9 @@ std::span<const std::uint32_t> pickSpirv() {
 }
 std::span<const std::uint32_t> aovSpirv() {
   return aov_comp_spirv;
+}
+std::span<const std::uint32_t> castRaysSpirv() {
+  return cast_rays_comp_spirv;
 }
 std::span<const std::uint32_t> displayVertexSpirv() {
   return display_vert_spirv;

@@ -12,6 +12,7 @@ std::span<const std::uint32_t> resolveSpirv();
 std::span<const std::uint32_t> meterSpirv();
 std::span<const std::uint32_t> pickSpirv();
 std::span<const std::uint32_t> aovSpirv();
+std::span<const std::uint32_t> castRaysSpirv();
 std::span<const std::uint32_t> displayVertexSpirv();
 /// gpu_types.h and display.frag as text, completed by a tonemapper at run time.
 std::string_view gpuTypesText();

@@ -43,7 +43,7 @@ void Tracer::beginPass(Film& film, const LoopPlan& plan, std::uint64_t sampleEnd
   // A pass of several samples reads and writes the film once and keeps all lanes busy; what does not fit the
   // budget is cut into bands of rows. Short budgets belong to a viewport, whose count of samples should keep
   // moving.
-  const double fewest = budgetMs < interactiveBudgetMs ? 4.0 : 8.0;
+  const double fewest = budgetMs < interactiveBudgetMs ? 4.0 : 16.0;
   const std::uint64_t wanted = std::uint64_t(std::max(fewest, budgetMs / perSample));
   const std::uint64_t grown = std::max<std::uint64_t>(1, p.done - p.begin);
   const std::uint64_t count =

@@ -2,30 +2,50 @@
 #include "renderer/variants.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 #include "renderer/gpu/commands.hpp"
 #include "renderer/shader_code.hpp"
+#include "renderer/specialize.hpp"
 
 namespace steradian {
 namespace {
 
 using namespace gpu;
-constexpr std::size_t maxReady = 16;
 
-std::vector<Specialization> constantsOf(const VariantKey& key) {
+// CPU drivers run both sides of a branch, so separate loops for nodes and for triangles pay there.
+Specialization loopForm(const Device& device) {
+  return {CONSTANT_WHILE_WHILE, device.description().type == "CPU" ? 1u : 0u};
+}
+
+std::vector<Specialization> constantsOf(const Device& device, const VariantKey& key) {
   std::vector<Specialization> constants;
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i) constants.push_back({i, (key.features >> i) & 1u});
   constants.push_back({CONSTANT_FIXED_SPHERES, key.fixedSpheres});
   constants.push_back({CONSTANT_FIXED_PLANES, key.fixedPlanes});
   constants.push_back({CONSTANT_FIXED_LIGHTS, key.fixedLights});
   constants.push_back({CONSTANT_ABLATION, key.ablation ? 1u : 0u});
+  constants.push_back({CONSTANT_ONE_INSTANCE, key.oneInstance ? 1u : 0u});
+  constants.push_back(loopForm(device));
   return constants;
 }
 
 std::unique_ptr<ComputePass> compile(const Device& device, const VariantKey& key) {
-  return std::make_unique<ComputePass>(device, pathTraceSpirv(), constantsOf(key), "path_trace (special)");
+  const std::vector<Specialization> constants = constantsOf(device, key);
+  const std::vector<std::uint32_t> own = specialized(pathTraceSpirv(), constants);
+  if (own.empty()) return std::make_unique<ComputePass>(device, pathTraceSpirv(), constants, "path_trace");
+  return std::make_unique<ComputePass>(device, own, std::span<const Specialization>{}, "path_trace");
 }
+
+// What the generic variants know, each more than the one before.
+constexpr std::uint32_t basicFeatures =
+    FEATURE_SPHERES | FEATURE_PLANES | FEATURE_LARGE_SPHERES | FEATURE_BOXES | FEATURE_RECTS | FEATURE_DISKS |
+    FEATURE_CYLINDERS | FEATURE_ELLIPSOIDS | FEATURE_POINT_LIGHTS | FEATURE_SPOT_LIGHTS |
+    FEATURE_DIRECTIONAL_LIGHTS | FEATURE_EMISSION | FEATURE_DIFFUSE | FEATURE_GLOSSY | FEATURE_MIRROR |
+    FEATURE_COMPENSATION | FEATURE_ROULETTE;
+constexpr std::uint32_t analyticFeatures = ~(FEATURE_MESHES | FEATURE_TEXTURES | FEATURE_ALPHA);
+constexpr std::uint32_t genericFeatures[] = {basicFeatures, analyticFeatures, ~0u};
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -33,7 +53,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 // One dispatch that touches no pixel: some drivers only compile to machine code at the first one.
 void dispatchNothing(const Device& device, const ComputePass& pass) {
-  const Bindings bindings(device, nullptr, {});
+  const Bindings bindings(device, {}, {});
   const TraceParams nothing{};
   device.run(QueueKind::compute, [&](const auto& cmd) { pass.dispatch(cmd, bindings, nothing, 1, 1); });
 }
@@ -41,9 +61,15 @@ void dispatchNothing(const Device& device, const ComputePass& pass) {
 }  // namespace
 
 bool VariantKey::covers(const VariantKey& needed) const {
-  return (needed.features & ~features) == 0 && fixedSpheres == needed.fixedSpheres &&
-         fixedPlanes == needed.fixedPlanes && fixedLights == needed.fixedLights &&
-         ablation == needed.ablation;
+  const auto serves = [](std::uint32_t own, std::uint32_t asked) { return own == 0 || own == asked; };
+  return (needed.features & ~features) == 0 && serves(fixedSpheres, needed.fixedSpheres) &&
+         serves(fixedPlanes, needed.fixedPlanes) && serves(fixedLights, needed.fixedLights) &&
+         serves(oneInstance, needed.oneInstance) && ablation == needed.ablation;
+}
+
+VariantKey genericFor(const VariantKey& needed) {
+  return {
+      *std::ranges::find_if(genericFeatures, [&](auto known) { return (needed.features & ~known) == 0; })};
 }
 
 VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
@@ -53,13 +79,16 @@ VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
     key.fixedSpheres = p.sphereCount;
     key.fixedPlanes = p.planeCount;
   }
-  if (p.lightCount <= std::min(MAX_FIXED_LIGHTS, lightSamples)) key.fixedLights = p.lightCount;
+  key.oneInstance = p.instanceCount == 1;
+  // Every baked light is one more copy of the traversal, which is long where there are meshes.
+  const std::uint32_t mostBaked = p.instanceCount > 0 ? 1u : MAX_FIXED_LIGHTS;
+  if (p.lightCount <= std::min(mostBaked, lightSamples)) key.fixedLights = p.lightCount;
   // The loop budget may allow fewer light samples than were asked for.
   if (p.lightCount > lightSamples) key.features |= FEATURE_LIGHT_TREE;
   return key;
 }
 
-VariantInfo describeVariant(const std::optional<VariantKey>& key) {
+VariantInfo describeVariant(const VariantKey& key) {
   static const char* const names[FEATURE_COUNT] = {"spheres",
                                                    "planes",
                                                    "large spheres",
@@ -75,7 +104,7 @@ VariantInfo describeVariant(const std::optional<VariantKey>& key) {
                                                    "diffuse",
                                                    "glossy",
                                                    "mirror",
-                                                   "filter table",
+                                                   "alpha",
                                                    "area lights",
                                                    "suns",
                                                    "environment",
@@ -89,24 +118,21 @@ VariantInfo describeVariant(const std::optional<VariantKey>& key) {
                                                    "lens",
                                                    "orthographic",
                                                    "Russian roulette",
-                                                   "clamp"};
+                                                   "clamp",
+                                                   "meshes",
+                                                   "textures"};
   VariantInfo info;
-  info.specialized = key.has_value();
+  info.specialized = key != genericFor(key);
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i)
-    (!key || (key->features >> i) & 1u ? info.features : info.leftOut).push_back(names[i]);
-  if (key && key->fixedSpheres) info.features.push_back(std::to_string(key->fixedSpheres) + " spheres baked");
-  if (key && key->fixedPlanes) info.features.push_back(std::to_string(key->fixedPlanes) + " planes baked");
-  if (key && key->fixedLights) info.features.push_back(std::to_string(key->fixedLights) + " lights baked");
+    ((key.features >> i) & 1u ? info.features : info.leftOut).push_back(names[i]);
+  if (key.fixedSpheres) info.features.push_back(std::to_string(key.fixedSpheres) + " spheres baked");
+  if (key.fixedPlanes) info.features.push_back(std::to_string(key.fixedPlanes) + " planes baked");
+  if (key.fixedLights) info.features.push_back(std::to_string(key.fixedLights) + " lights baked");
   return info;
 }
 
-Variants::Variants(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {
-  const auto start = std::chrono::steady_clock::now();
-  generic_ = std::make_unique<ComputePass>(*device_, pathTraceSpirv(), std::span<const Specialization>{},
-                                           "path_trace (generic)");
-  compileSeconds_ = secondsSince(start);
-  worker_ = std::jthread([this](std::stop_token stop) { work(stop); });
-}
+Variants::Variants(std::shared_ptr<gpu::Device> device)
+    : device_(std::move(device)), worker_([this](std::stop_token stop) { work(stop); }) {}
 
 Variants::~Variants() {
   worker_.request_stop();
@@ -114,28 +140,49 @@ Variants::~Variants() {
 }
 
 const Variants::Special* Variants::find(const VariantKey& needed) const {
-  const auto exact = std::ranges::find(ready_, needed, &Special::key);
-  if (exact != ready_.end()) return &*exact;
-  const auto wider = std::ranges::find_if(ready_, [&](const Special& s) { return s.key.covers(needed); });
-  return wider != ready_.end() ? &*wider : nullptr;
+  const Special* best = nullptr;
+  for (const Special& s : ready_) {
+    if (s.key == needed) return &s;
+    const bool smaller = !best || std::popcount(s.key.features) < std::popcount(best->key.features);
+    if (smaller && s.key.covers(needed)) best = &s;
+  }
+  return best;
+}
+
+const Variants::Special* Variants::add(const VariantKey& key, std::unique_ptr<ComputePass> pass,
+                                       double seconds) {
+  compileSeconds_ += seconds;
+  ready_.push_front({key, std::move(pass)});
+  return &ready_.front();
+}
+
+const Variants::Special* Variants::compileGeneric(const VariantKey& key, std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  const auto start = std::chrono::steady_clock::now();
+  auto pass = compile(*device_, key);
+  const double seconds = secondsSince(start);
+  lock.lock();
+  return add(key, std::move(pass), seconds);
+}
+
+void Variants::want(const VariantKey& key) {
+  if (std::ranges::find(wanted_, key) != wanted_.end() || std::ranges::find(failed_, key) != failed_.end())
+    return;
+  // Only the newest wish counts: a drag that adds and removes kinds must not queue up compilations.
+  if (wanted_.size() > 1) wanted_.resize(1);
+  wanted_.push_back(key);
+  changed_.notify_all();
 }
 
 Variants::Choice Variants::choose(const VariantKey& needed) {
-  const std::lock_guard lock(mutex_);
-  if (!allowSpecial_ && !needed.ablation) return {generic_.get(), {}};
-  const Special* found = find(needed);
-  const bool exact = found && found->key == needed;
-  if (!exact && std::ranges::find(wanted_, needed) == wanted_.end() &&
-      std::ranges::find(failed_, needed) == failed_.end()) {
-    // Only the newest wish counts: a drag that adds and removes kinds must not queue up compilations.
-    if (wanted_.size() > 1) wanted_.resize(1);
-    wanted_.push_back(needed);
-    changed_.notify_all();
-  }
-  if (!found) return {generic_.get(), {}};
-  const auto at = std::ranges::find(ready_, found->key, &Special::key);
-  ready_.splice(ready_.begin(), ready_, at);
-  return {ready_.front().pass.get(), ready_.front().key};
+  std::unique_lock lock(mutex_);
+  const VariantKey generic = genericFor(needed);
+  const bool special = allowSpecial_ || needed.ablation;
+  const Special* found = find(special ? needed : generic);
+  if (special && (!found || found->key != needed)) want(needed);
+  if (!found) found = find(generic);
+  if (!found) found = compileGeneric(generic, lock);
+  return {found->pass.get(), found->key};
 }
 
 void Variants::waitFor(const VariantKey& needed) {
@@ -160,10 +207,9 @@ double Variants::compileSeconds() const {
 
 void Variants::finished(const VariantKey& key, std::unique_ptr<ComputePass> pass, double seconds) {
   const std::lock_guard lock(mutex_);
-  compileSeconds_ += seconds;
   std::erase(wanted_, key);
   if (pass) {
-    ready_.push_front({key, std::move(pass)});
+    add(key, std::move(pass), seconds);
   } else {
     failed_.push_back(key);
   }

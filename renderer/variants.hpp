@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Model only what a scene needs: the generic tracer is always ready, special ones are compiled on a worker
+// Model only what a scene needs: a generic tracer starts at once, special ones are compiled on a worker
 // thread and picked up between dispatches. All variants give the same samples.
 #pragma once
 #include <condition_variable>
@@ -7,7 +7,6 @@
 #include <list>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include "renderer/gpu/pass.hpp"
@@ -19,27 +18,30 @@ namespace steradian {
 struct VariantKey {
   std::uint32_t features = 0;
   std::uint32_t fixedSpheres = 0, fixedPlanes = 0, fixedLights = 0;  // 0 = counted at run time
+  bool oneInstance = false;                                          // of a mesh
   bool ablation = false;                                             // obeys the flags of measurements
   bool operator==(const VariantKey&) const = default;
-  /// Compiled for at least what `needed` asks.
+  /// Compiled for at least what `needed` asks; counts at run time serve any count.
   bool covers(const VariantKey& needed) const;
 };
 
 /// `lightSamples`: at each vertex, after the loop budget.
 VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples);
-VariantInfo describeVariant(const std::optional<VariantKey>& key);
+/// The smallest of a few generic variants that covers `needed`: what most scenes hold compiles and runs many
+/// times faster than what any scene may hold.
+VariantKey genericFor(const VariantKey& needed);
+VariantInfo describeVariant(const VariantKey& key);
 
 class Variants {
  public:
-  /// Compiles the generic variant.
   explicit Variants(std::shared_ptr<gpu::Device> device);
   ~Variants();
 
-  /// The best pass that is ready: exact, else a wider one, else the generic; asks the worker for the exact
-  /// one.
+  /// The best pass that is ready: exact, else the one of the fewest features that covers it; asks the worker
+  /// for the exact one. Blocks to compile a generic one when nothing covers it; throws Error when that fails.
   struct Choice {
     const gpu::ComputePass* pass;
-    std::optional<VariantKey> key;  // nothing = generic
+    VariantKey key;
   };
   Choice choose(const VariantKey& needed);
   /// Compile `needed` now unless it is there. Blocks.
@@ -53,16 +55,18 @@ class Variants {
     std::unique_ptr<gpu::ComputePass> pass;
   };
   const Special* find(const VariantKey& needed) const;
+  const Special* add(const VariantKey& key, std::unique_ptr<gpu::ComputePass> pass, double seconds);
+  const Special* compileGeneric(const VariantKey& key, std::unique_lock<std::mutex>& lock);
+  void want(const VariantKey& key);
   void work(std::stop_token stop);
   void warmDriverCache(const VariantKey& key);
   void finished(const VariantKey& key, std::unique_ptr<gpu::ComputePass> pass, double seconds);
 
   std::shared_ptr<gpu::Device> device_;
-  std::unique_ptr<gpu::ComputePass> generic_;
   bool allowSpecial_ = true;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::list<Special> ready_;  // most recently used first, at most 16
+  std::list<Special> ready_;  // newest first
   std::deque<VariantKey> wanted_;
   std::vector<VariantKey> failed_;  // not tried again
   double compileSeconds_ = 0.0;

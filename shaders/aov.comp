@@ -29,14 +29,13 @@ void main() {
   vec4 normal = vec4(0.0);
   for (uint index = params.sampleBegin; index < params.sampleEnd; ++index) {
     Path path = cameraPath(camera, pixel, pairAt(seed, index, 0u), seed, index);
-    Hit hit = closestHit(path.ray, INFINITE, l);
+    Hit hit = nextHit(path, seed, l);
     float found = hit.primitive != NO_PRIMITIVE ? 1.0 : 0.0;
     uint primitive = min(hit.primitive, l.end - 1u);
-    Surface surface = surfaceAt(path.ray, Hit(found > 0.0 ? hit.t : 1.0, primitive), l);
-    vec3 facing = dot(surface.normal, path.ray.d) > 0.0 ? -surface.normal : surface.normal;
-    vec4 color = vec4(fetchMaterial(primitive).albedo, 1.0);
+    Vertex v = vertexAt(Hit(found > 0.0 ? hit.t : 1.0, primitive, hit.triangle), path, seed, l);
+    vec4 color = vec4(v.material.albedo, 1.0);
     albedo += found > 0.0 ? color : vec4(0.0);
-    normal += found > 0.0 ? vec4(facing, hit.t) : vec4(0.0);
+    normal += found > 0.0 ? vec4(v.frame.n, hit.t) : vec4(0.0);
   }
   if (params.sampleBegin == 0u) objectId[at] = objectAt(camera, pixel, l);
   albedoSum[at] += albedo;

@@ -118,8 +118,14 @@ BsdfSample sampleBeams(BsdfSample made, Lobes lobes, LobeChoice choice, vec3 wo,
   return made;
 }
 
+// A direction, and the lobe that it was drawn from.
+struct BsdfDraw {
+  LobeChoice choice;
+  vec3 wi;
+};
+
 // One-sample mixture of cosine and visible-normal sampling; (u, v) in [0, 1)^2, u also chooses the lobe.
-BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
+BsdfDraw drawBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
   LobeChoice choice = chooseLobe(lobes, u, kinds);
   CosSin azimuth = cosSinTurn(v);
   vec3 wi = kinds.diffuse ? cosineHemisphere(azimuth.c, azimuth.s, choice.u) : vec3(0.0, 0.0, 1.0);
@@ -127,17 +133,25 @@ BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
     vec3 mirrored = sampleFacets(lobes, choice, wo, azimuth, kinds);
     wi = choice.specular || choice.passed || choice.coat ? mirrored : wi;
   }
-  BsdfValue value = evalBsdf(lobes, wo, wi, kinds);
+  return BsdfDraw(choice, wi);
+}
+
+BsdfSample weighDraw(Lobes lobes, BsdfDraw drawn, vec3 wo, LobeKinds kinds) {
+  BsdfValue value = evalBsdf(lobes, wo, drawn.wi, kinds);
   vec3 weight = value.fCos * (value.pdf > 0.0 ? 1.0 / value.pdf : 0.0);
-  BsdfSample made = BsdfSample(wi, weight, value.pdf);
+  BsdfSample made = BsdfSample(drawn.wi, weight, value.pdf);
   if (kinds.transmission) {
     // A facet may send light to the side that its lobe does not own.
-    bool lost = (wi.z < 0.0) != choice.passed;
+    bool lost = (drawn.wi.z < 0.0) != drawn.choice.passed;
     made.weight = lost ? vec3(0.0) : made.weight;
     made.pdf = lost ? 0.0 : made.pdf;
   }
-  if (kinds.mirror || kinds.transmission) made = sampleBeams(made, lobes, choice, wo, kinds);
+  if (kinds.mirror || kinds.transmission) made = sampleBeams(made, lobes, drawn.choice, wo, kinds);
   return made;
+}
+
+BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
+  return weighDraw(lobes, drawBsdf(lobes, wo, u, v, kinds), wo, kinds);
 }
 
 #endif

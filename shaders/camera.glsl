@@ -14,14 +14,11 @@ struct CameraRows {
 
 CameraRows fetchCamera() { return CameraRows(fetchRow(0u), fetchRow(1u), fetchRow(2u)); }
 
-// Offset from the pixel centre, in pixels: box of 1 pixel, or the tabulated inverse CDF.
+// Offset from the pixel centre, in pixels, by the tabulated inverse CDF of the filter.
 float filterOffset(float u) {
-  if (kFilterTable) {
-    float x = u * float(FILTER_ROWS);
-    vec4 row = fetchRow(CAMERA_ROWS + uint(x));
-    return row.x + row.y * fract(x);
-  }
-  return u - 0.5;
+  float x = u * float(FILTER_ROWS);
+  vec4 row = fetchRow(CAMERA_ROWS + uint(x));
+  return row.x + row.y * fract(x);
 }
 
 // Where a camera ray starts and points to.
@@ -51,7 +48,7 @@ CameraRay cameraRay(CameraRows camera, float x, float y, float lensU, float lens
     o = parallel ? inPlane : o;
     d = parallel ? camera.forward.xyz : d;
   }
-  return CameraRay(o, normalize(d));
+  return CameraRay(o, unit(d));
 }
 
 // The ray of one sample of a pixel, its place drawn from the filter.

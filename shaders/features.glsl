@@ -20,7 +20,7 @@ layout(constant_id = 11) const bool kEmission = true;
 layout(constant_id = 12) const bool kDiffuse = true;
 layout(constant_id = 13) const bool kGlossy = true;
 layout(constant_id = 14) const bool kMirror = true;
-layout(constant_id = 15) const bool kFilterTable = true;
+layout(constant_id = 15) const bool kAlpha = true;
 layout(constant_id = 16) const bool kAreaLights = true;
 layout(constant_id = 17) const bool kSuns = true;
 layout(constant_id = 18) const bool kEnvironment = true;
@@ -35,10 +35,12 @@ layout(constant_id = 26) const bool kLens = true;
 layout(constant_id = 27) const bool kOrthographic = true;
 layout(constant_id = 28) const bool kRoulette = true;
 layout(constant_id = 29) const bool kClamp = true;
-layout(constant_id = 30) const uint kFixedSpheres = 0;
-layout(constant_id = 31) const uint kFixedPlanes = 0;
-layout(constant_id = 32) const uint kFixedLights = 0;
-layout(constant_id = 33) const bool kAblation = false;
+layout(constant_id = 30) const bool kMeshes = true;
+layout(constant_id = 31) const bool kTextures = true;
+layout(constant_id = 32) const uint kFixedSpheres = 0;
+layout(constant_id = 33) const uint kFixedPlanes = 0;
+layout(constant_id = 34) const uint kFixedLights = 0;
+layout(constant_id = 35) const bool kAblation = false;
 
 const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
 // Lights that paths meet as well: both ways are weighed against each other.
@@ -50,8 +52,9 @@ uint missingFeatures(uint needed) {
   uint have = (kEmission ? FEATURE_EMISSION : 0u) | (kDiffuse ? FEATURE_DIFFUSE : 0u) |
               (kGlossy ? FEATURE_GLOSSY : 0u) | (kMirror ? FEATURE_MIRROR : 0u) |
               (kTransmission ? FEATURE_TRANSMISSION : 0u) | (kAbsorption ? FEATURE_ABSORPTION : 0u) |
-              (kClearcoat ? FEATURE_CLEARCOAT : 0u) | (kEdgeTint ? FEATURE_EDGE_TINT : 0u);
-  return needed & ~(have | MATERIAL_ONE_SIDED);
+              (kClearcoat ? FEATURE_CLEARCOAT : 0u) | (kEdgeTint ? FEATURE_EDGE_TINT : 0u) | (kAlpha ? FEATURE_ALPHA : 0u) |
+              (kTextures ? FEATURE_TEXTURES : 0u);
+  return needed & ~(have | MATERIAL_OWN_BITS);
 }
 
 #endif

@@ -3,21 +3,35 @@
 //
 // Scene data is a list of vec4 rows in one texel buffer, relative to the camera (origin = camera position):
 //   camera (3 rows), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
-//   boxes, rects, disks, cylinders, ellipsoids (3 each), materials (6 per primitive), object ids (1 per
-//   primitive), lights (4; suns first), light tree, environment (6).
+//   boxes, rects, disks, cylinders, ellipsoids (3 each), mesh instances (4), materials (8 per primitive),
+//   object ids (1 per primitive), lights (4; suns first), light tree, environment (6), top level of the
+//   meshes.
 // What rarely changes lies in a second texel buffer, the tables: ENERGY_ROWS of albedo tables, then the image
-// of the environment with its sampling tables. Primitive indices follow the same order. Rows:
+// of the environment with its sampling tables. Meshes lie in a third (their own coordinates, relative to
+// their centre: nodes, triangles, vertices), texels in a fourth. Primitive indices follow the same order.
+// Rows:
 //   camera       right, lens radius (0 = pinhole) | up, focus distance | forward, 1 = parallel projection
 //   filter       inverse CDF at i, step to i+1, -, -   (pixels from the pixel centre)
 //   sphere       centre, radius
 //   plane        unit normal, D = dot(point, normal)
 //   large sphere centre high part, radius high part | centre low part, radius low part
 //   affine shape rows of the 3x3 unitFromWorld, each with one component of the centre in w
+//   instance     rows of the 3x3 meshFromWorld as for affine shapes | bits: first node row, first triangle
+//   row,
+//                first vertex row, MESH_* (rows of the mesh buffer) | rows of the 3x3 worldFromMesh, -
+//   top level    TOP_LEVEL_ROWS per node, the root first: low corner of child A's box, bits: node or BVH_LEAF
+//   and
+//                the instance | high corner, - | the same of child B   (rows count from topLevelRow)
+// Rows of the mesh buffer: see renderer/mesh/bvh.hpp for nodes and triangles, whose coordinates are grid
+// cells.
 //   material     albedo, metallic | alpha = roughness^2, dielectric F0, dielectric F90, bits (FEATURE_*,
 //   MATERIAL_*) |
 //                emission (nit), bits: light that samples this primitive or NO_LIGHT |
-//                transmission, ior, coat weight, coat alpha | absorption (1/m), - | F82 coefficient, -
+//                transmission, ior, coat weight, coat alpha | absorption (1/m), - | F82 coefficient, - |
+//                bits: texture references of albedo, metallic-roughness, normal, emission (rows; 0 = none) |
+//                normal scale, opacity, alpha cutoff, -
 //                (one per primitive: a shared table would cost a dependent fetch at every vertex)
+//   texture ref  bits: first word, width, height, TEXEL_* | transformX, - | transformY, -
 //   object id    bits, -, -, -
 //   point        position, kind | intensity (cd), - | - | -
 //   spot         position, kind | intensity (cd), cone scale | axis, cone offset | -
@@ -48,7 +62,9 @@ GPU_CONST uint CAMERA_ROWS = 3u;
 GPU_CONST uint FILTER_ROWS = 256u;
 GPU_CONST uint LARGE_SPHERE_ROWS = 2u;
 GPU_CONST uint AFFINE_ROWS = 3u;
-GPU_CONST uint MATERIAL_ROWS = 6u;
+GPU_CONST uint INSTANCE_ROWS = 7u;
+GPU_CONST uint MATERIAL_ROWS = 8u;
+GPU_CONST uint TEXTURE_REF_ROWS = 3u;
 GPU_CONST uint LIGHT_ROWS = 4u;
 GPU_CONST uint LIGHT_NODE_ROWS = 2u;
 GPU_CONST uint ENVIRONMENT_ROWS = 6u;
@@ -59,6 +75,44 @@ GPU_CONST uint LIGHT_DIRECTIONAL = 2u;
 GPU_CONST uint LIGHT_SPHERE = 3u;
 GPU_CONST uint LIGHT_RECT = 4u;
 GPU_CONST uint LIGHT_DISK = 5u;
+
+// Hierarchies: a link is a node's first row, or BVH_LEAF, count and first triangle; BVH_END closes the stack.
+GPU_CONST uint BVH_NODE_ROWS = 2u;
+GPU_CONST uint BVH_TRIANGLE_ROWS = 3u;
+GPU_CONST uint BVH_LEAF = 1u << 31;
+GPU_CONST uint BVH_COUNT_SHIFT = 27u;
+GPU_CONST uint BVH_FIRST_MASK = (1u << 27) - 1u;
+GPU_CONST uint BVH_NOTHING = BVH_LEAF;  // a leaf of 0
+GPU_CONST uint BVH_END = 0xffffffffu;
+GPU_CONST uint BVH_DEPTH = 32u;         // nodes on any way down, and room on the stack
+GPU_CONST float BVH_ORIGIN = 32704.0f;  // cells from bound 0 to the middle of the mesh
+GPU_CONST uint TOP_LEVEL_ROWS = 4u;
+GPU_CONST uint TOP_LEVEL_DEPTH = 24u;
+
+// What the vertices of a mesh carry (renderer/mesh/vertex_rows.hpp).
+GPU_CONST uint MESH_NORMALS = 1u << 0;
+GPU_CONST uint MESH_TANGENTS = 1u << 1;
+GPU_CONST uint MESH_UV0 = 1u << 2;
+GPU_CONST uint MESH_UV1 = 1u << 3;
+GPU_CONST uint MESH_COLORS = 1u << 4;
+
+// A texture in one place of a material: how its texels are stored and looked up (renderer/gpu_textures.hpp).
+GPU_CONST uint TEXEL_RGBA8 = 0u;
+GPU_CONST uint TEXEL_RGBA16 = 1u;
+GPU_CONST uint TEXEL_HALF = 2u;
+GPU_CONST uint TEXEL_FORMAT_MASK = 3u;
+GPU_CONST uint TEXEL_SRGB = 1u << 2;
+GPU_CONST uint TEXEL_NEAREST = 1u << 3;
+GPU_CONST uint TEXEL_UV1 = 1u << 4;
+GPU_CONST uint TEXEL_WRAP_U_SHIFT = 5u;  // 2 bits each: WRAP_*
+GPU_CONST uint TEXEL_WRAP_V_SHIFT = 7u;
+GPU_CONST uint TEXEL_LEVELS_SHIFT = 9u;  // number of mip levels
+GPU_CONST uint WRAP_REPEAT = 0u;
+GPU_CONST uint WRAP_CLAMP = 1u;
+GPU_CONST uint WRAP_MIRROR = 2u;
+// The words begin with what 8-bit sRGB codes mean in linear light, as floats; then, at TEXEL_SRGB16, 16-bit
+// ones.
+GPU_CONST uint TEXEL_SRGB16 = 256u;
 
 GPU_CONST uint NO_PRIMITIVE = 0xffffffffu;
 GPU_CONST uint NO_LIGHT = 0xffffffffu;
@@ -82,7 +136,7 @@ GPU_CONST uint FEATURE_EMISSION = 1u << 11;
 GPU_CONST uint FEATURE_DIFFUSE = 1u << 12;
 GPU_CONST uint FEATURE_GLOSSY = 1u << 13;
 GPU_CONST uint FEATURE_MIRROR = 1u << 14;
-GPU_CONST uint FEATURE_FILTER_TABLE = 1u << 15;
+GPU_CONST uint FEATURE_ALPHA = 1u << 15;        // cut out or half transparent surfaces
 GPU_CONST uint FEATURE_AREA_LIGHTS = 1u << 16;  // sphere, rect, disk: sampled, and met by paths
 GPU_CONST uint FEATURE_SUNS = 1u << 17;         // directional lights with a disc
 GPU_CONST uint FEATURE_ENVIRONMENT = 1u << 18;
@@ -97,15 +151,25 @@ GPU_CONST uint FEATURE_LENS = 1u << 26;
 GPU_CONST uint FEATURE_ORTHOGRAPHIC = 1u << 27;
 GPU_CONST uint FEATURE_ROULETTE = 1u << 28;  // the setting, and bounces enough for it
 GPU_CONST uint FEATURE_CLAMP = 1u << 29;
-GPU_CONST uint FEATURE_COUNT = 30u;
-// A material's own bits, beside the features it needs.
-GPU_CONST uint MATERIAL_ONE_SIDED = 1u << 31;  // emits on the side of its normal only
+GPU_CONST uint FEATURE_MESHES = 1u << 30;
+GPU_CONST uint FEATURE_TEXTURES = 1u << 31;  // or colours at vertices
+GPU_CONST uint FEATURE_COUNT = 32u;
+// A material's own bits, in place of the shape features, which it never needs.
+GPU_CONST uint MATERIAL_THIN = 1u << 1;   // meshes: a sheet that encloses nothing
+GPU_CONST uint MATERIAL_MASK = 1u << 2;   // opaque from the alpha cutoff on
+GPU_CONST uint MATERIAL_ALPHA = 1u << 3;  // has an opacity to be looked up
+GPU_CONST uint MATERIAL_OWN_BITS = 15u;
+GPU_CONST uint MATERIAL_ONE_SIDED = 1u << 0;  // emits on the side of its normal only
 // Counts baked into a special variant of a small scene; 0 = read the count from the push constants.
-GPU_CONST uint CONSTANT_FIXED_SPHERES = 30u;
-GPU_CONST uint CONSTANT_FIXED_PLANES = 31u;
-GPU_CONST uint CONSTANT_FIXED_LIGHTS = 32u;
-GPU_CONST uint CONSTANT_ABLATION = 33u;  // obey the TRACE_* flags of measurements
-GPU_CONST uint MAX_FIXED = 8u;           // spheres, planes
+GPU_CONST uint CONSTANT_FIXED_SPHERES = 32u;
+GPU_CONST uint CONSTANT_FIXED_PLANES = 33u;
+GPU_CONST uint CONSTANT_FIXED_LIGHTS = 34u;
+GPU_CONST uint CONSTANT_ABLATION = 35u;  // obey the TRACE_* flags of measurements
+GPU_CONST uint CONSTANT_WHILE_WHILE =
+    36u;                                // form of the loop over a mesh: true suits CPU drivers, false GPUs
+GPU_CONST uint CONSTANT_ANY_HIT = 37u;  // cast_rays.comp: shadow rays
+GPU_CONST uint CONSTANT_ONE_INSTANCE = 38u;  // a single mesh instance needs no hierarchy above it
+GPU_CONST uint MAX_FIXED = 8u;               // spheres, planes
 GPU_CONST uint MAX_FIXED_LIGHTS = 4u;
 
 // Flags of TraceParams.
@@ -132,7 +196,8 @@ struct TraceParams {
   uint materialRow, lightRow;  // first rows of these tables
   uint objectRow;
   uint sphereCount, planeCount, largeSphereCount;
-  uint boxCount, rectCount, diskCount, cylinderCount, ellipsoidCount;
+  uint boxCount, rectCount, diskCount, cylinderCount, ellipsoidCount, instanceCount;
+  uint topLevelRow;  // root of the hierarchy over the instances
   uint lightCount, sunCount, lightTreeRow;
   uint environmentRow;
   float clampRadiance;  // nit, 0 = off

@@ -84,7 +84,7 @@ float angleOf(float x, float y) {
   return x < 0.0 ? PI - angle : angle;
 }
 
-// A rectangle in its own axes around the point that looks at it.
+// A rectangle in its own axes around the point that looks at it, corners a b c d at (x0, y0), (x1, y0), (x1, y1), (x0, y1).
 struct RectView {
   vec3 ex;  // unit, along its edges
   vec3 ey;
@@ -94,28 +94,32 @@ struct RectView {
   float y0;
   float y1;
   float z;           // of its plane
+  float halfAbc;     // half of triangle abc's solid angle
   float solidAngle;  // 0 for a parallelogram without right angles
 };
 
-// Two triangles of the same numerator (Van Oosterom & Strackee 1983), whose half angles add as complex numbers do.
-float rectSolidAngle(float x0, float x1, float y0, float y1, float z) {
-  vec3 a = vec3(x0, y0, z);
-  vec3 b = vec3(x1, y0, z);
-  vec3 c = vec3(x1, y1, z);
-  vec3 d = vec3(x0, y1, z);
-  float la = length(a);
-  float lb = length(b);
-  float lc = length(c);
-  float ld = length(d);
-  float ac = la * lc + dot(a, c);
-  float abc = ac * lb + dot(a, b) * lc + dot(b, c) * la;
-  float acd = ac * ld + dot(c, d) * la + dot(a, d) * lc;
-  float volume = abs(z) * (x1 - x0) * (y1 - y0);
-  float scale = 1.0 / max(max(abs(abc), abs(acd)), max(volume, 1e-36));
-  abc *= scale;
-  acd *= scale;
-  volume *= scale;
-  return 2.0 * angleOf(abc * acd - volume * volume, max(volume * (abc + acd), 0.0));
+// Half of the solid angle of a triangle whose corners lie in these unit directions (Van Oosterom & Strackee 1983); their
+// triple product is known without cancellation.
+float halfSolidAngle(vec3 a, vec3 b, vec3 c, float product) {
+  return angleOf(1.0 + dot(a, b) + dot(b, c) + dot(c, a), product);
+}
+
+// Adds the solid angle, of two triangles.
+RectView withSolidAngle(RectView view) {
+  vec3 a = vec3(view.x0, view.y0, view.z);
+  vec3 b = vec3(view.x1, view.y0, view.z);
+  vec3 c = vec3(view.x1, view.y1, view.z);
+  vec3 d = vec3(view.x0, view.y1, view.z);
+  float ia = inversesqrt(dot(a, a));
+  float ib = inversesqrt(dot(b, b));
+  float ic = inversesqrt(dot(c, c));
+  float id = inversesqrt(dot(d, d));
+  float height = abs(view.z) * ia;
+  float width = (view.x1 - view.x0) * ic;
+  float depth = view.y1 - view.y0;
+  view.halfAbc = halfSolidAngle(a * ia, b * ib, c * ic, height * width * (depth * ib));
+  view.solidAngle = 2.0 * (view.halfAbc + halfSolidAngle(a * ia, d * id, c * ic, height * width * (depth * id)));
+  return view;
 }
 
 // Half edges u, v.
@@ -134,49 +138,52 @@ RectView rectView(vec3 p, vec3 centre, vec3 u, vec3 v) {
   view.y0 = y - lv;
   view.y1 = y + lv;
   view.z = dot(f, view.ez);
+  view.halfAbc = 0.0;
+  view.solidAngle = 0.0;
   bool square = abs(dot(view.ex, view.ey)) < 1e-5;
-  view.solidAngle = square ? rectSolidAngle(view.x0, view.x1, view.y0, view.y1, view.z) : 0.0;
-  return view;
+  return square ? withSolidAngle(view) : view;
 }
 
 bool sampledByArea(RectView view) {
   return view.solidAngle < SMALL_SOLID_ANGLE || view.solidAngle > LARGE_SOLID_ANGLE;
 }
 
-// The x at which the part of the rectangle before it has the share u of its solid angle (Urena, Fajardo & King, CGF
-// 32(4), 2013, eq. 8-14), with sines and cosines of the inner angles in place of the angles.
-float rectX(RectView view, float u) {
-  float z2 = view.z * view.z;
-  float a2 = 1.0 / (view.x0 * view.x0 + z2);
-  float w0 = 1.0 / (view.y0 * view.y0 + z2);
-  float w1 = 1.0 / (view.y1 * view.y1 + z2);
-  float a = view.x0 * sqrt(a2);
-  float b0 = -view.y0 * sqrt(w0);
-  float b1 = view.y1 * sqrt(w1);
-  float sine2 = sqrt(z2 * (a2 + a * a * w1));
-  float sine3 = sqrt(z2 * (a2 + a * a * w0));
-  float cosK = a * a * b0 * b1 - sine2 * sine3;
-  float sinK = -a * (sine2 * b0 + sine3 * b1);
-  CosSin part = cosSinTurn(u * view.solidAngle * (0.5 / PI));
-  float c = cosK * part.c - sinK * part.s;
-  float s = sinK * part.c + cosK * part.s;
-  float q = c * b0 - b1;
-  float root = sqrt(max(q * q - s * s * z2 * w0, 1e-36));
-  float x = abs(view.z) * s / (q < 0.0 ? -root : root);
-  return clamp(x, view.x0, view.x1);
+// 1 + cosine of the angle between two unit vectors, also of nearly opposite ones.
+float onePlusCos(vec3 a, vec3 b) {
+  vec3 sum = a + b;
+  return 0.5 * dot(sum, sum);
 }
 
-// Uniform in the rectangle's solid angle (the same paper).
+// Uniform in the rectangle's solid angle: by u a great circle through corner a, by v a direction on it (Arvo, SIGGRAPH
+// 1995). The circle cuts the solid angle 2 near off the triangle a, e, c, from the neighbour e = b or d of a, so that
+// 2 far are left: Van Oosterom & Strackee's formula, solved for the cut's end on the edge e c, is a sum of positive
+// terms, in which no digits are lost.
 LightDirection sampleRectDirections(RectView view, float u, float v) {
-  float x = rectX(view, u);
-  float d2 = x * x + view.z * view.z;
-  float h0 = view.y0 * inversesqrt(d2 + view.y0 * view.y0);
-  float h1 = view.y1 * inversesqrt(d2 + view.y1 * view.y1);
-  float h = h0 + v * (h1 - h0);
-  float y = clamp(h * sqrt(d2 / max(1.0 - h * h, 1e-12)), view.y0, view.y1);
-  float t2 = d2 + y * y;
+  float cut = u * 0.5 * view.solidAngle;
+  bool first = cut < view.halfAbc;
+  vec3 a = vec3(view.x0, view.y0, view.z);
+  vec3 e = vec3(first ? view.x1 : view.x0, first ? view.y0 : view.y1, view.z);
+  vec3 c = vec3(view.x1, view.y1, view.z);
+  float ia = inversesqrt(dot(a, a));
+  float ie = inversesqrt(dot(e, e));
+  float ic = inversesqrt(dot(c, c));
+  float near = cosSinTurn((first ? cut : 0.5 * view.solidAngle - cut) * (0.5 / PI)).s;
+  float far = cosSinTurn(abs(view.halfAbc - cut) * (0.5 / PI)).s;
+  float ec = onePlusCos(e * ie, c * ic);
+  far *= sqrt(2.0 * ec * onePlusCos(a * ia, c * ic) / onePlusCos(a * ia, e * ie));
+  float weightE = far * (far + 2.0 * near) * ie;
+  float weightC = 2.0 * near * (far + near * ec) * ic;
+  vec3 end = e + (c - e) * (weightC / (weightE + weightC));
+
+  float iEnd = inversesqrt(dot(end, end));
+  float x = 1.0 - dot(a, end) * (ia * iEnd);
+  float end2 = sqrt(v * (2.0 - v * x) / (2.0 - x));
+  float weightEnd = end2 * iEnd;
+  float weightA = max(1.0 - v * x - (1.0 - x) * end2, 0.0) * ia;
+  vec3 at = a + (end - a) * (weightEnd / (weightA + weightEnd));
+  float t2 = dot(at, at);
   float inv = inversesqrt(t2);
-  vec3 wi = (view.ex * x + view.ey * y + view.ez * view.z) * inv;
+  vec3 wi = (view.ex * at.x + view.ey * at.y + view.ez * at.z) * inv;
   return LightDirection(wi, t2 * inv, 1.0 / view.solidAngle);
 }
 

@@ -37,7 +37,8 @@ SurfaceMaterial fetchMaterial(uint primitive) {
 
 LobeKinds lobeKinds() { return LobeKinds(kDiffuse, kGlossy, kMirror, kTransmission, kClearcoat, kEdgeTint); }
 
-// Directional albedo of single-scatter facets: F0 * f0 + F90 * f90.
+// Directional albedo of single-scatter facets: F0 * f0 + F90 * f90. The table's axes are fourth roots of alpha and of
+// the cosine: smooth facets change within a cosine of alpha.
 struct FacetAlbedo {
   float f0;
   float f90;
@@ -45,8 +46,8 @@ struct FacetAlbedo {
 
 FacetAlbedo facetAlbedo(float alpha, float cosO) {
   float cells = float(ENERGY_CELLS);
-  float x = sqrt(alpha) * cells;
-  float y = sqrt(cosO) * cells;
+  float x = sqrt(sqrt(alpha)) * cells;
+  float y = sqrt(sqrt(cosO)) * cells;
   float column = min(floor(x), cells - 1.0);
   float line = min(floor(y), cells - 1.0);
   float fx = x - column;

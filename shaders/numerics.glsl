@@ -48,17 +48,21 @@ DoubleFloat squareDouble(DoubleFloat a) {
   return DoubleFloat(p.hi, lo);
 }
 
-// One step of a compensated sum: sum + carry tracks the exact total (Kahan 1965).
+// One step of a sum kept in two floats: sum - carry tracks the exact total to about 2^-48 of it (TwoSum, Knuth 1969,
+// then Dekker 1971). Kahan's shorter step rounds each value once, which parts of a picture could not add up exactly.
 struct Compensated {
   vec3 sum;
   vec3 carry;
 };
 
 Compensated compensatedAdd(Compensated total, vec3 value) {
-  precise vec3 y = value - total.carry;
-  precise vec3 t = total.sum + y;
-  precise vec3 c = (t - total.sum) - y;
-  return Compensated(t, c);
+  precise vec3 s = total.sum + value;
+  precise vec3 taken = s - total.sum;
+  precise vec3 lost = (total.sum - (s - taken)) + (value - taken);
+  precise vec3 low = lost - total.carry;
+  precise vec3 sum = s + low;
+  precise vec3 carry = (sum - s) - low;
+  return Compensated(sum, carry);
 }
 
 // By bits: isnan() and isinf() are not guaranteed without SignedZeroInfNanPreserve.
@@ -82,8 +86,14 @@ Frame frameAround(vec3 n) {
 vec3 toLocal(Frame f, vec3 v) { return vec3(dot(f.t, v), dot(f.b, v), dot(f.n, v)); }
 vec3 toWorld(Frame f, vec3 v) { return f.t * v.x + f.b * v.y + f.n * v.z; }
 
+// One division, where normalize() may take three.
+vec3 unit(vec3 v) { return v * inversesqrt(dot(v, v)); }
+
 float maxComponent(vec3 v) { return max(v.x, max(v.y, v.z)); }
-// Rec. 709 relative luminance.
-float luminance(vec3 c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+// Rec. 709 relative luminance. `precise`: it decides between lobes, and all variants must round it alike.
+float luminance(vec3 c) {
+  precise float y = 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+  return y;
+}
 
 #endif

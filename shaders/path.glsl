@@ -7,9 +7,8 @@
 #include "environment.glsl"
 #include "light_tree.glsl"
 #include "lights.glsl"
-#include "material.glsl"
 #include "random.glsl"
-#include "surface.glsl"
+#include "shading.glsl"
 
 struct Path {
   Ray ray;
@@ -19,15 +18,19 @@ struct Path {
   vec3 absorption;  // 1/m, of the solid that the ray runs through
   uint bounce;
   uint index;       // of the sample
+  float width;      // of the cone of rays around this one, for textures: metres where the ray starts,
+  float spread;     // and more for every metre
 };
 
 // A vertex as shading sees it.
 struct Vertex {
   Surface surface;
-  Frame frame;  // around the normal on wo's side
+  SurfaceMaterial material;
+  Frame frame;  // around the shading normal on wo's side
   vec3 wo;      // local
   bool inside;  // wo lies on the inner side of the surface
   bool thin;    // a sheet, which has no inside to go to
+  bool mesh;    // its shading normal need not be that of the facet
   uint primitive;
   uint seed, index, bounce;  // for this vertex' random numbers
 };
@@ -58,10 +61,25 @@ SamplePair pairAt(uint seed, uint index, uint dimension) {
 // Pairs of the light samples at one vertex: `slot` counts them, the environment has the last.
 SamplePair lightPair(Vertex v, uint slot) { return pairAt(v.seed, v.index, 0x2000u + v.bounce * 64u + slot); }
 
+// Whether wi lies on the side of the facet on which the shading normal sees it. Where the two part, a reflection would
+// leak through the facet, and what passes it would not.
+bool keepsSide(Vertex v, vec3 wi, vec3 local) {
+  bool below = (dot(v.surface.normal, wi) < 0.0) != v.inside;
+  return !(kMeshes && v.mesh) || below == (local.z < 0.0);
+}
+
 // A ray that leaves the vertex along wi, which is local direction `local`.
 Ray leaving(Vertex v, vec3 wi, vec3 local) {
   bool through = kTransmission && local.z < 0.0 && !v.thin;
-  return Ray(v.surface.p, wi, v.primitive, v.inside != through);
+  vec3 o = v.surface.p;
+  if (kMeshes) o += v.surface.normal * (dot(v.surface.normal, wi) < 0.0 ? -v.surface.offset : v.surface.offset);
+  return Ray(o, wi, v.primitive, v.inside != through);
+}
+
+// The nearest hit of the path's ray, which decides about half transparent surfaces in its own way.
+Hit nextHit(Path path, uint seed, Layout l) {
+  seedAlpha(seed, path.index, 2u * path.bounce);
+  return closestHit(path.ray, INFINITE, l);
 }
 
 // How many samples a light gets at a vertex, on average.
@@ -70,8 +88,8 @@ float samplesOfLight(uint light, vec3 p) {
   return float(params.lightSamples) * lightChoiceProbability(p, light);
 }
 
-// Light that arrives straight from one light sample and is reflected to wo; `samples` is how many the light gets.
-vec3 directLight(LightSample s, float samples, Vertex v, Lobes lobes, inout Tally tally, Layout l) {
+// What one light sample reflects to wo if nothing is in between; `samples` is how many the light gets.
+vec3 unshadowedLight(LightSample s, float samples, Vertex v, Lobes lobes) {
   vec3 local = toLocal(v.frame, s.wi);
   BsdfValue value = evalBsdf(lobes, v.wo, local, lobeKinds());
   vec3 f = value.fCos * s.illuminance;
@@ -80,10 +98,21 @@ vec3 directLight(LightSample s, float samples, Vertex v, Lobes lobes, inout Tall
     f *= s.pdf > 0.0 ? (ablated(TRACE_NO_LIGHT_SAMPLING) ? 0.0 : weight) : 1.0;
   }
   if (kLightTree) f /= samples;
+  return keepsSide(v, s.wi, local) ? f : vec3(0.0);
+}
+
+// Less what is in between.
+vec3 shadowedLight(LightSample s, vec3 f, Vertex v, inout Tally tally, Layout l) {
   bool needed = maxComponent(f) > 0.0;
+  seedAlpha(v.seed, v.index, 2u * v.bounce + 1u);
   tally.shadowRays += needed ? 1u : 0u;
-  bool visible = needed && !occluded(leaving(v, s.wi, local), s.distance, s.primitive, l);
+  bool visible = needed && !occluded(leaving(v, s.wi, toLocal(v.frame, s.wi)), s.distance, s.primitive, l);
   return visible ? f : vec3(0.0);
+}
+
+// Light that arrives straight from one light sample and is reflected to wo.
+vec3 directLight(LightSample s, float samples, Vertex v, Lobes lobes, inout Tally tally, Layout l) {
+  return shadowedLight(s, unshadowedLight(s, samples, v, lobes), v, tally, l);
 }
 
 LightSample lightSampleAt(LightRows light, Vertex v, uint slot) {
@@ -92,14 +121,32 @@ LightSample lightSampleAt(LightRows light, Vertex v, uint slot) {
   return sampleLight(light, v.surface.p, pair.x, pair.y);
 }
 
+// Baked lights are sampled, evaluated and tested step by step, all lights at each: a CPU then works on several chains of
+// dependent operations at once.
+struct BakedSamples {
+  LightSample light[MAX_FIXED_LIGHTS];
+};
+
+BakedSamples sampleBakedLights(Vertex v) {
+  BakedSamples samples;
+  [[unroll]] for (uint i = 0u; i < kFixedLights; ++i) samples.light[i] = lightSampleAt(bakedLights[i], v, i);
+  return samples;
+}
+
+vec3 lightFromBakedLights(BakedSamples samples, bool lit, Vertex v, Lobes lobes, inout Tally tally, Layout l) {
+  vec3 sum = vec3(0.0);
+  vec3 unshadowed[MAX_FIXED_LIGHTS];
+  [[unroll]] for (uint i = 0u; i < kFixedLights; ++i) unshadowed[i] = unshadowedLight(samples.light[i], 1.0, v, lobes);
+  [[unroll]] for (uint i = 0u; i < kFixedLights; ++i) {
+    vec3 f = lit ? unshadowed[i] : vec3(0.0);
+    sum += shadowedLight(samples.light[i], f, v, tally, l);
+  }
+  return sum;
+}
+
 // All lights while they are few; else some, chosen for this point.
 vec3 lightFromLights(Vertex v, Lobes lobes, inout Tally tally, Layout l) {
   vec3 sum = vec3(0.0);
-  if (kFixedLights > 0u) {
-    [[unroll]] for (uint i = 0u; i < kFixedLights; ++i)
-      sum += directLight(lightSampleAt(bakedLights[i], v, i), 1.0, v, lobes, tally, l);
-    return sum;
-  }
   uint samples = min(params.lightCount, params.lightSamples);
   bool all = !kLightTree || params.lightCount <= params.lightSamples;
   float u = kLightTree ? sampleIndependent(v.seed, v.index, 0x10000u + v.bounce) : 0.0;
@@ -130,7 +177,8 @@ float metWeight(float pathPdf, float lightPdf) {
 }
 
 // Radiance of the surface that the path met.
-vec3 emittedLight(SurfaceMaterial material, Vertex v, Path path) {
+vec3 emittedLight(Vertex v, Path path) {
+  SurfaceMaterial material = v.material;
   bool hidden = v.inside && (material.bits & MATERIAL_ONE_SIDED) != 0u;
   float weight = hidden ? 0.0 : 1.0;
   if (kAreaLights) {
@@ -171,21 +219,48 @@ void addLight(inout Path path, inout Tally tally, vec3 light, uint bounces) {
   path.radiance += contribution;
 }
 
-Vertex vertexAt(Surface surface, Path path, uint primitive, uint seed, Layout l) {
+// `hit` has a primitive.
+Vertex vertexAt(Hit hit, Path path, uint seed, Layout l) {
   Vertex v;
-  v.surface = surface;
+  v.surface = surfaceAt(path.ray, hit, l);
+  float jitter = kTextures ? sampleIndependent(seed, path.index, 0x20000u + path.bounce) : 0.0;
+  Shading shading = shadingAt(v.surface, hit, path.ray.d, path.width + path.spread * hit.t, jitter, l);
+  v.material = shading.material;
   // A ray that left to its own solid's inside meets it from there, even where an edge or a graze blurs the sign.
-  bool back = path.ray.self == primitive && path.ray.selfInside;
-  v.inside = back || dot(surface.normal, path.ray.d) > 0.0;
-  v.frame = frameAround(v.inside ? -surface.normal : surface.normal);
+  bool back = path.ray.self == hit.primitive && path.ray.selfInside && hit.primitive < l.instance;
+  v.inside = back || dot(v.surface.normal, path.ray.d) > 0.0;
+  vec3 normal = v.inside ? -v.surface.normal : v.surface.normal;
+  v.mesh = kMeshes && hit.primitive >= l.instance;
+  if (v.mesh) normal = bentNormal(v.inside ? -shading.normal : shading.normal, normal, -path.ray.d);
+  v.frame = frameAround(normal);
   v.wo = toLocal(v.frame, -path.ray.d);
   v.wo.z = clamp(v.wo.z, 1e-7, 1.0);
-  v.thin = primitive >= l.rect && primitive < l.cylinder;
-  v.primitive = primitive;
+  v.thin = (hit.primitive >= l.rect && hit.primitive < l.cylinder) || (kMeshes && (v.material.bits & MATERIAL_THIN) != 0u);
+  v.primitive = hit.primitive;
   v.seed = seed;
   v.index = path.index;
   v.bounce = path.bounce;
   return v;
+}
+
+// The ray that goes on from a vertex along a sampled direction. Its cone is an eighth as wide as the lobe: textures that
+// are seen in a mirror stay sharp, those that light a rough surface are looked up coarsely (after Akenine-Moller et al.,
+// Improved Shader and Texture Level of Detail Using Ray Cones, JCGT 10(1), 2021).
+void goOn(inout Path path, float t, Vertex v, BsdfSample next) {
+  vec3 wi = toWorld(v.frame, next.wi);
+  path.ray = leaving(v, wi, next.wi);
+  path.throughput *= next.weight;
+  if (kMeshes) path.throughput *= keepsSide(v, wi, next.wi) ? 1.0 : 0.0;
+  path.pdf = next.pdf;
+  path.bounce += 1u;
+  if (kTextures) {
+    path.width += path.spread * t;
+    path.spread = max(path.spread, next.pdf > 0.0 ? 0.125 * inversesqrt(next.pdf) : 0.0);
+  }
+  if (kAbsorption && kTransmission) {
+    bool crossed = next.wi.z < 0.0 && !v.thin;
+    path.absorption = crossed ? (v.inside ? vec3(0.0) : v.material.absorption) : path.absorption;
+  }
 }
 
 Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint seed, uint index) {
@@ -193,7 +268,10 @@ Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint seed, uint
   if (kLens) lens = pairAt(seed, index, 0x1000u);
   CameraRay seen = filteredCameraRay(camera, pixel, pair.x, pair.y, lens.x, lens.y);
   Ray ray = Ray(seen.o, seen.d, NO_PRIMITIVE, false);
-  return Path(ray, vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0u, index);
+  // Half a pixel: samples average what textures show within it.
+  float halfPixel = 0.5 * params.pixelScale;
+  bool parallel = kOrthographic && camera.forward.w > 0.0;
+  return Path(ray, vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0u, index, parallel ? halfPixel : 0.0, parallel ? 0.0 : halfPixel);
 }
 
 #endif

@@ -7,19 +7,20 @@
 
 // Rows of a path: number of vertices, -, -, - | radiance, -; then its vertices. Rows of a vertex:
 //   state    origin, self | direction, 1 = to the inside of self | throughput, pdf | absorption, bounce | radiance, index
-//   hit      t, primitive or -1, -, -
-//   surface  point, 1 = inside | normal, - | wo, -
+//            cone: width, spread, -, -
+//   hit      t, primitive or -1, bits: triangle, -
+//   surface  point, 1 = inside | shading normal on wo's side, - | wo, -
 //   met      light that the path met here, -
 //   next     wi, pdf | weight, 1 = the path ended | throughput behind it, -
 //   lights   slots of: 1 = used, light or -1, its number of samples, - | wi, distance | illuminance, pdf | f cos, pdf |
 //            reflected light, primitive or -1;   the last slot is the environment
 const uint RECORD_HEADER = 2u;
 const uint RECORD_STATE = 0u;
-const uint RECORD_HIT = 5u;
-const uint RECORD_SURFACE = 6u;
-const uint RECORD_MET = 9u;
-const uint RECORD_NEXT = 10u;
-const uint RECORD_LIGHTS = 13u;
+const uint RECORD_HIT = 6u;
+const uint RECORD_SURFACE = 7u;
+const uint RECORD_MET = 10u;
+const uint RECORD_NEXT = 11u;
+const uint RECORD_LIGHTS = 14u;
 const uint RECORD_LIGHT_ROWS = 5u;
 const uint RECORD_SKY = MAX_LIGHT_SAMPLES;  // slot
 const uint RECORD_VERTEX_ROWS = RECORD_LIGHTS + (MAX_LIGHT_SAMPLES + 1u) * RECORD_LIGHT_ROWS;
@@ -52,7 +53,7 @@ LightSample sampleOfSlot(Vertex v, uint slot, LightChoice choice) {
   return s;
 }
 
-Lobes lobesOf(Vertex v) { return lobesAt(fetchMaterial(v.primitive), v.primitive, v.wo.z, v.inside, v.thin); }
+Lobes lobesOf(Vertex v) { return lobesAt(v.material, v.primitive, v.wo.z, v.inside, v.thin); }
 
 BsdfValue bsdfTowards(Vertex v, vec3 wi) { return evalBsdf(lobesOf(v), v.wo, toLocal(v.frame, wi), lobeKinds()); }
 
@@ -76,7 +77,7 @@ vec3 metLight(Path path, Vertex v, bool left) {
   vec3 light = vec3(0.0);
   if (left) {
     if (kEnvironment || kSuns) light = skyLight(path);
-  } else if (kEmission) light = emittedLight(fetchMaterial(v.primitive), v, path);
+  } else if (kEmission) light = emittedLight(v, path);
   return light;
 }
 
@@ -91,16 +92,9 @@ bool endsAt(Path path, Vertex v, bool left) {
   return left || maxComponent(path.throughput) <= 0.0 || path.bounce >= lastBounce() || lost;
 }
 
-Path continued(Path path, Vertex v, BsdfSample next) {
+Path continued(Path path, float t, Vertex v, BsdfSample next) {
   if (roulettePlayed(path)) path.throughput /= max(survivalOf(path), 1e-30);
-  path.ray = leaving(v, toWorld(v.frame, next.wi), next.wi);
-  path.throughput *= next.weight;
-  path.pdf = next.pdf;
-  path.bounce += 1u;
-  if (kAbsorption && kTransmission) {
-    bool crossed = next.wi.z < 0.0 && !v.thin;
-    path.absorption = crossed ? (v.inside ? vec3(0.0) : fetchMaterial(v.primitive).absorption) : path.absorption;
-  }
+  goOn(path, t, v, next);
   return path;
 }
 
@@ -110,11 +104,12 @@ void recordState(uint at, Path path) {
   recordRows[at + 2u] = vec4(path.throughput, path.pdf);
   recordRows[at + 3u] = vec4(path.absorption, float(path.bounce));
   recordRows[at + 4u] = vec4(path.radiance, float(path.index));
+  recordRows[at + 5u] = vec4(path.width, path.spread, 0.0, 0.0);
 }
 
 void recordSurface(uint at, Vertex v) {
   recordRows[at] = vec4(v.surface.p, truth(v.inside));
-  recordRows[at + 1u] = vec4(v.surface.normal, 0.0);
+  recordRows[at + 1u] = vec4(v.frame.n, 0.0);
   recordRows[at + 2u] = vec4(v.wo, 0.0);
 }
 
@@ -153,11 +148,11 @@ void recordPath(uint first, uvec2 pixel) {
     uint at = first + RECORD_HEADER + vertices * RECORD_VERTEX_ROWS;
     vertices += 1u;
     recordState(at + RECORD_STATE, path);
-    Hit hit = closestHit(path.ray, INFINITE, l);
+    Hit hit = nextHit(path, seed, l);
     bool left = hit.primitive == NO_PRIMITIVE;
-    recordRows[at + RECORD_HIT] = vec4(hit.t, indexNumber(hit.primitive), 0.0, 0.0);
+    recordRows[at + RECORD_HIT] = vec4(hit.t, indexNumber(hit.primitive), uintBitsToFloat(hit.triangle), 0.0);
     uint primitive = min(hit.primitive, l.end - 1u);
-    Vertex v = vertexAt(surfaceAt(path.ray, Hit(hit.t, primitive), l), path, primitive, seed, l);
+    Vertex v = vertexAt(Hit(hit.t, primitive, hit.triangle), path, seed, l);
     if (!left) path = arrived(path, hit.t);
     recordSurface(at + RECORD_SURFACE, v);
     bool alive = maxComponent(path.throughput) > 0.0;
@@ -167,7 +162,7 @@ void recordPath(uint first, uvec2 pixel) {
     if (!left && alive && samplesLights(path)) addLight(path, tally, recordLights(at + RECORD_LIGHTS, v, tally, l), path.bounce + 1u);
     ended = endsAt(path, v, left);
     BsdfSample next = nextDirection(v);
-    path = continued(path, v, next);
+    path = continued(path, hit.t, v, next);
     recordRows[at + RECORD_NEXT] = vec4(next.wi, next.pdf);
     recordRows[at + RECORD_NEXT + 1u] = vec4(next.weight, truth(ended));
     recordRows[at + RECORD_NEXT + 2u] = vec4(path.throughput, 0.0);

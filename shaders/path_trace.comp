@@ -52,50 +52,46 @@ void main() {
   // Every turn lengthens a path or ends it, so the turns are bounded by samples * (last + 1).
   while (path.index < params.sampleEnd) {
     // Find the next vertex.
-    Hit hit = closestHit(path.ray, INFINITE, l);
+    Hit hit = nextHit(path, seed, l);
     tally.closestRays += 1u;
     bool missed = hit.primitive == NO_PRIMITIVE;
     bool alive = maxComponent(path.throughput) > 0.0;
     uint primitive = min(hit.primitive, l.end - 1u);
-    SurfaceMaterial material = fetchMaterial(primitive);
-    Vertex v = vertexAt(surfaceAt(path.ray, Hit(hit.t, primitive), l), path, primitive, seed, l);
-    Lobes lobes = lobesAt(material, primitive, v.wo.z, v.inside, v.thin);
+    Vertex v = vertexAt(Hit(hit.t, primitive, hit.triangle), path, seed, l);
+    if (kAbsorption && !missed && alive) path.throughput *= exp(-path.absorption * hit.t);
+    BakedSamples baked = sampleBakedLights(v);
+
+    // Decide whether the path ends: nothing left to carry, bounce limit, then Russian roulette after the third bounce.
+    bool ended = missed || !alive || path.bounce >= last;
+    float survival = 1.0;
+    if (roulette && path.bounce >= 3u) {
+      survival = min(1.0, maxComponent(path.throughput));
+      ended = ended || sampleIndependent(seed, path.index, path.bounce) >= survival;
+    }
+
+    // Draw one pair: for the camera of the next path, or for the next direction of this one. The direction is drawn before
+    // the lights are looked at and weighed after that: work to do while its long chain of operations runs.
+    uint index = ended ? path.index + 1u : path.index;
+    SamplePair pair = pairAt(seed, index, ended ? 0u : path.bounce + 1u);
+    Lobes lobes = lobesAt(v.material, primitive, v.wo.z, v.inside, v.thin);
+    BsdfDraw drawn = drawBsdf(lobes, v.wo, pair.x, pair.y, lobeKinds());
 
     // Add what the surface emits, and what the lights send it; or what the sky sends.
+    bool lit = !missed && alive && samplesLights(path);
+    vec3 arriving = vec3(0.0);
+    if (kFixedLights > 0u) arriving = lightFromBakedLights(baked, lit, v, lobes, tally, l);
+    if (kLights && kFixedLights == 0u && lit) arriving = lightFromLights(v, lobes, tally, l);
+    if (kEnvironment && lit) arriving += lightFromEnvironment(v, lobes, tally, l);
     if (missed && alive) {
       if (kEnvironment || kSuns) addLight(path, tally, skyLight(path), path.bounce);
     }
     if (!missed && alive) {
-      if (kAbsorption) path.throughput *= exp(-path.absorption * hit.t);
-      tally.missing |= missingFeatures(material.bits);
-      if (kEmission) addLight(path, tally, emittedLight(material, v, path), path.bounce);
-      vec3 arriving = vec3(0.0);
-      bool lit = samplesLights(path);
-      if (kLights && lit) arriving += lightFromLights(v, lobes, tally, l);
-      if (kEnvironment && lit) arriving += lightFromEnvironment(v, lobes, tally, l);
+      tally.missing |= missingFeatures(v.material.bits);
+      if (kEmission) addLight(path, tally, emittedLight(v, path), path.bounce);
       if (kLights || kEnvironment) addLight(path, tally, arriving, path.bounce + 1u);
     }
-
-    // Decide whether the path ends: nothing left to carry, bounce limit, then Russian roulette after the third bounce.
-    bool ended = missed || !alive || path.bounce >= last;
-    if (roulette && path.bounce >= 3u) {
-      float survival = min(1.0, maxComponent(path.throughput));
-      ended = ended || sampleIndependent(seed, path.index, path.bounce) >= survival;
-      path.throughput /= max(survival, 1e-30);
-    }
-
-    // Draw one pair: for the camera of the next path, or for the next direction of this one.
-    uint index = ended ? path.index + 1u : path.index;
-    SamplePair pair = pairAt(seed, index, ended ? 0u : path.bounce + 1u);
-    BsdfSample next = sampleBsdf(lobes, v.wo, pair.x, pair.y, lobeKinds());
-    path.ray = leaving(v, toWorld(v.frame, next.wi), next.wi);
-    path.throughput *= next.weight;
-    path.pdf = next.pdf;
-    path.bounce += 1u;
-    if (kAbsorption && kTransmission) {
-      bool crossed = next.wi.z < 0.0 && !v.thin;
-      path.absorption = crossed ? (v.inside ? vec3(0.0) : material.absorption) : path.absorption;
-    }
+    if (kRoulette) path.throughput /= max(survival, 1e-30);
+    goOn(path, hit.t, v, weighDraw(lobes, drawn, v.wo, lobeKinds()));
 
     // Commit a finished sample and start the next one.
     if (ended) {
@@ -109,7 +105,7 @@ void main() {
   filmSum[at] = vec4(total.sum, sum.w + float(tally.closestRays));
   filmCarry[at] = vec4(total.carry, carry.w + float(tally.shadowRays));
   // A sample that the loop budget cut off is a fault, never a silently darker pixel.
-  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u);
+  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u) + (kMeshes && traversalCut ? 1u : 0u);
   if (tally.nan > 0u) atomicAdd(counters[COUNTER_NAN], tally.nan);
   if (faults > 0u) atomicAdd(counters[COUNTER_FAULTS], faults);
   if (kClamp) countClamped(tally.clamped);

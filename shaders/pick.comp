@@ -18,7 +18,7 @@ void main() {
   Hit hit = closestHit(ray, INFINITE, l);
   bool found = hit.primitive != NO_PRIMITIVE;
   uint primitive = min(hit.primitive, l.end - 1u);
-  Surface surface = surfaceAt(ray, Hit(hit.t, primitive), l);
+  Surface surface = surfaceAt(ray, Hit(hit.t, primitive, hit.triangle), l);
   float object = found ? fetchRow(params.objectRow + primitive).x : uintBitsToFloat(0u);
   bool inside = dot(surface.normal, ray.d) > 0.0;
   picked[0] = vec4(uintBitsToFloat(hit.primitive), object, hit.t, 0.0);

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Closest hit and occlusion over the flat list of analytic shapes. Small scenes hold their spheres and planes in
+// Closest hit and occlusion over the flat list of analytic shapes, and the hierarchies of meshes. Small scenes hold their spheres and planes in
 // registers (loaded once, counts baked); others read rows in loops bounded by the host's loop budget.
 #ifndef TRAVERSE_GLSL
 #define TRAVERSE_GLSL
 #extension GL_EXT_control_flow_attributes : require
-#include "scene.glsl"
-#include "shapes.glsl"
+#include "bvh.glsl"
 
 struct Ray {
   vec3 o;
   vec3 d;           // unit length
   uint self;        // primitive the ray starts on, or NO_PRIMITIVE
   bool selfInside;  // and whether it leaves to that solid's inside
-};
-
-struct Hit {
-  float t;
-  uint primitive;
 };
 
 vec4 bakedSpheres[MAX_FIXED];
@@ -89,7 +83,7 @@ void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
     for (uint i = l.cylinder; i < l.ellipsoid; ++i)
       nearer(hit, hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
   if (kEllipsoids)
-    for (uint i = l.ellipsoid; i < l.end; ++i)
+    for (uint i = l.ellipsoid; i < l.instance; ++i)
       nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
 }
 
@@ -100,9 +94,10 @@ void hitOtherShapes(inout Hit hit, Ray ray, uint target, Layout l) {
 
 // Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.
 Hit closestHit(Ray ray, float tMax, Layout l) {
-  Hit hit = Hit(tMax, NO_PRIMITIVE);
+  Hit hit = Hit(tMax, NO_PRIMITIVE, 0u);
   hitSpheresAndPlanes(hit, ray, l);
   hitOtherShapes(hit, ray, NO_PRIMITIVE, l);
+  if (kMeshes) hitMeshes(hit, ray.o, ray.d, false, l);
   return hit;
 }
 
@@ -144,9 +139,17 @@ bool planesBlock(Ray ray, float tMax, Layout l) {
 bool occluded(Ray ray, float tMax, uint target, Layout l) {
   bool bySphere = kSpheres ? spheresBlock(ray, tMax, target, l) : false;
   bool byPlane = kPlanes ? planesBlock(ray, tMax, l) : false;
-  Hit hit = Hit(tMax, NO_PRIMITIVE);
+  Hit hit = Hit(tMax, NO_PRIMITIVE, 0u);
   hitOtherShapes(hit, ray, target, l);
-  return bySphere || byPlane || hit.t < tMax;
+  bool blocked = bySphere || byPlane || hit.t < tMax;
+  if (kMeshes) {
+    // A mesh that touches the light must not hide it by the last digits of its place.
+    float end = tMax - 1e-6 * (tMax + maxComponent(abs(ray.o)));
+    Hit mesh = Hit(blocked ? 0.0 : end, NO_PRIMITIVE, 0u);
+    hitMeshes(mesh, ray.o, ray.d, true, l);
+    blocked = blocked || mesh.primitive != NO_PRIMITIVE;
+  }
+  return blocked;
 }
 
 #endif

@@ -15,7 +15,14 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 using Memory = vk::MemoryPropertyFlagBits;
 
-constexpr std::size_t texelBytes = 16;  // RGBA32F
+// 0 = no texel view.
+std::size_t texelBytes(BufferKind kind) {
+  if (kind == BufferKind::upload || kind == BufferKind::texelRows) return 16;  // RGBA32F
+  return kind == BufferKind::texelWords ? 4 : 0;                               // R32UI
+}
+bool holdsStorage(BufferKind kind) {
+  return kind == BufferKind::deviceLocal || kind == BufferKind::upload;
+}
 constexpr vk::MemoryPropertyFlags onHost = Memory::eHostVisible | Memory::eHostCoherent;
 
 vk::BufferUsageFlags usageOf(BufferKind kind) {
@@ -25,6 +32,9 @@ vk::BufferUsageFlags usageOf(BufferKind kind) {
       return copies | Usage::eStorageBuffer;
     case BufferKind::upload:
       return copies | Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
+    case BufferKind::texelRows:
+    case BufferKind::texelWords:
+      return copies | Usage::eUniformTexelBuffer;
     default:
       return copies;
   }
@@ -36,6 +46,8 @@ std::vector<vk::MemoryPropertyFlags> wishesOf(BufferKind kind) {
     case BufferKind::deviceLocal:
       return {Memory::eDeviceLocal, {}};
     case BufferKind::upload:
+    case BufferKind::texelRows:
+    case BufferKind::texelWords:
       return {Memory::eDeviceLocal | onHost, Memory::eDeviceLocal, {}};
     default:
       return {onHost | Memory::eHostCached, onHost};
@@ -60,14 +72,14 @@ Buffer::Buffer(const Device& device, BufferKind kind, std::size_t bytes, std::st
   const vk::BufferCreateInfo info({}, bytes, usageOf(kind));
   checked(device, "creating a buffer", [&] { buffer_ = vk::raii::Buffer(device.handle(), info); });
   allocateFor(kind);
-  if (kind == BufferKind::upload && bytes % texelBytes == 0) createView();
+  if (texelBytes(kind) != 0 && bytes % texelBytes(kind) == 0) createView(kind);
 }
 
 void Buffer::checkLimits(BufferKind kind) const {
   std::size_t limit = ~std::size_t(0);
-  if (kind != BufferKind::readback) limit = device_->limits().maxStorageBufferRange;
-  if (kind == BufferKind::upload)
-    limit = std::min(limit, std::size_t(device_->limits().maxTexelBufferElements) * texelBytes);
+  if (holdsStorage(kind)) limit = device_->limits().maxStorageBufferRange;
+  if (texelBytes(kind) != 0)
+    limit = std::min(limit, std::size_t(device_->limits().maxTexelBufferElements) * texelBytes(kind));
   if (bytes_ > limit)
     throw Error(ExitCode::noDevice, device_->description().name + ": the " + what_ + " needs " +
                                         inMebibytes(bytes_) + ", the device allows " +
@@ -101,8 +113,10 @@ void Buffer::allocateFor(BufferKind kind) {
                                       inMebibytes(bytes_) + " (" + what_ + ")");
 }
 
-void Buffer::createView() {
-  const vk::BufferViewCreateInfo info({}, *buffer_, vk::Format::eR32G32B32A32Sfloat, 0, VK_WHOLE_SIZE);
+void Buffer::createView(BufferKind kind) {
+  const vk::Format format =
+      kind == BufferKind::texelWords ? vk::Format::eR32Uint : vk::Format::eR32G32B32A32Sfloat;
+  const vk::BufferViewCreateInfo info({}, *buffer_, format, 0, VK_WHOLE_SIZE);
   checked(*device_, "creating a texel view", [&] { view_ = vk::raii::BufferView(device_->handle(), info); });
 }
 

@@ -16,6 +16,8 @@ enum class BufferKind {
   deviceLocal,  // storage: the film; written and read by shaders, read by download()
   upload,       // storage + uniform texels: scene rows; written by write(), read by shaders. Lies on the
                 // device; write() goes through a staging buffer when the host cannot reach that memory
+  texelRows,    // as upload, but uniform RGBA32F texels only: may be larger than one storage binding
+  texelWords,   // the same with R32UI texels
   readback      // written by copies, read through map(); host memory, cached
 };
 
@@ -30,10 +32,11 @@ class Buffer {
   explicit operator bool() const { return bytes_ != 0; }
   std::size_t size() const { return bytes_; }
   vk::Buffer handle() const { return *buffer_; }
-  /// The buffer as RGBA32F texels (kind upload only, whole vec4 rows); null otherwise.
+  /// The buffer as RGBA32F texels (kinds upload and texelRows, whole vec4 rows) or R32UI texels (texelWords);
+  /// null otherwise.
   vk::BufferView texels() const { return *view_; }
 
-  /// Kinds upload and deviceLocal. Synchronous; wait first for submissions that use this range. Where the
+  /// All kinds but readback. Synchronous; wait first for submissions that use this range. Where the
   /// host cannot reach the memory a copy is run on the compute queue, which must own the buffer.
   void write(std::size_t offset, std::span<const std::byte> bytes);
   template <class Row>
@@ -47,7 +50,7 @@ class Buffer {
   void checkLimits(BufferKind kind) const;
   bool allocate(vk::MemoryPropertyFlags properties);
   void allocateFor(BufferKind kind);
-  void createView();
+  void createView(BufferKind kind);
 
   const Device* device_ = nullptr;
   std::size_t bytes_ = 0;

@@ -38,6 +38,10 @@ vk::raii::QueryPool makeTimestamps(const Device& device, const QueueRef& queue) 
 
 }  // namespace
 
+std::chrono::seconds answerTimeout(const Device& device) {
+  return std::chrono::seconds(device.description().type == "CPU" ? 60 : 10);
+}
+
 Commands::Commands(const Device& device, QueueKind kind)
     : device_(device),
       queue_(device.queue(kind)),
@@ -47,10 +51,15 @@ Commands::Commands(const Device& device, QueueKind kind)
       timestamps_(makeTimestamps(device, queue_)) {}
 
 Commands::~Commands() {
-  if (!inFlight_ || device_.lost()) return;
+  if (!inFlight_) return;
+  // Also when the device is lost: one that was only too slow still uses what is about to be freed. One that
+  // is really lost answers at once. Errors are remembered by the device; whoever submits next is told.
   try {
-    wait();
-  } catch (const Error&) {  // the loss is remembered by the device; whoever submits next is told
+    const auto timeout = std::chrono::duration_cast<std::chrono::nanoseconds>(answerTimeout(device_)).count();
+    const vk::Result result = device_.handle().waitForFences(*fence_, VK_TRUE, std::uint64_t(timeout));
+    if (result != vk::Result::eSuccess) device_.markLost();
+  } catch (const vk::SystemError&) {
+    device_.markLost();
   }
 }
 
@@ -107,14 +116,15 @@ bool Commands::done() {
 void Commands::wait() {
   if (!inFlight_) return;
   device_.throwIfLost();
-  const auto timeout = std::chrono::duration_cast<std::chrono::nanoseconds>(answerTimeout).count();
+  const auto timeout = std::chrono::duration_cast<std::chrono::nanoseconds>(answerTimeout(device_)).count();
   const vk::Result result = checked(device_, "waiting for the device", [&] {
     return device_.handle().waitForFences(*fence_, VK_TRUE, std::uint64_t(timeout));
   });
   if (result == vk::Result::eSuccess) return finish();
   device_.markLost();
   throw Error(ExitCode::noDevice, device_.description().name + ": the device did not answer in " +
-                                      std::to_string(answerTimeout.count()) + " s and is taken for lost");
+                                      std::to_string(answerTimeout(device_).count()) +
+                                      " s and is taken for lost");
 }
 
 double Commands::run(const Record& record) {

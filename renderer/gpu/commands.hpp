@@ -9,8 +9,9 @@
 
 namespace steradian::gpu {
 
-/// A submission that has not answered for so long is taken for lost.
-inline constexpr std::chrono::seconds answerTimeout{10};
+/// A submission that has not answered for so long is taken for lost. A driver that computes on the CPU shares
+/// it with everything else, and compiles a shader during its first dispatch.
+std::chrono::seconds answerTimeout(const Device& device);
 
 using Semaphore = vk::raii::Semaphore;
 
@@ -23,7 +24,8 @@ struct Wait {
 };
 
 /// One submission in flight at a time. Belongs to one thread at a time (it owns its command pool); different
-/// threads use different Commands on the same queue freely. The destructor waits for what is in flight.
+/// threads use different Commands on the same queue freely. The destructor waits for what is in flight, up to
+/// answerTimeout, also when the device is taken for lost.
 class Commands {
  public:
   Commands(const Device& device, QueueKind kind);
@@ -39,7 +41,7 @@ class Commands {
               std::span<const vk::Semaphore> signals = {});
   /// True when nothing is in flight. Never blocks. Throws Error(noDevice) when the device was lost.
   bool done();
-  /// Blocks until done. Throws Error(noDevice) when the device was lost or does not answer in 10 s.
+  /// Blocks until done. Throws Error(noDevice) when the device was lost or does not answer in time.
   void wait();
   /// submit(), wait(), milliseconds().
   double run(const Record& record);

@@ -66,8 +66,8 @@ class Device {
   /// The one descriptor set layout and pipeline layout of all passes (pass.hpp).
   const PassLayout& passLayout() const { return *passLayout_; }
 
-  /// Record, submit, wait (10 s at most). Returns device milliseconds, wall milliseconds without timestamps.
-  /// Any thread. For repeated work keep a Commands object (commands.hpp). Throws Error(noDevice).
+  /// Record, submit, wait (answerTimeout at most). Returns device milliseconds, wall milliseconds without
+  /// timestamps. Any thread. For repeated work keep a Commands object (commands.hpp). Throws Error(noDevice).
   double run(QueueKind kind, const Record& record) const;
 
   /// Lost is for ever: every later submission throws Error(noDevice) at once.

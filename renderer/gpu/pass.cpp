@@ -18,7 +18,8 @@ vk::raii::DescriptorSetLayout makeSetLayout(const Device& device) {
   bindings.push_back({0, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   for (std::uint32_t i = 1; i <= storageBindings; ++i)
     bindings.push_back({i, vk::DescriptorType::eStorageBuffer, 1, stages});
-  bindings.push_back({tablesBinding, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
+  for (const std::uint32_t i : {tablesBinding, meshesBinding, texelsBinding})
+    bindings.push_back({i, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   const vk::DescriptorSetLayoutCreateInfo info({}, bindings);
   return checked(device, "creating the descriptor layout",
                  [&] { return vk::raii::DescriptorSetLayout(device.handle(), info); });
@@ -92,13 +93,13 @@ void bind(const vk::raii::CommandBuffer& cmd, vk::PipelineBindPoint point, vk::P
 PassLayout::PassLayout(const Device& device)
     : set_(makeSetLayout(device)),
       pipeline_(makePipelineLayout(device, *set_)),
-      dummy_(device, BufferKind::upload, 256, "dummy") {}
+      dummy_(device, BufferKind::upload, 256, "dummy"),
+      dummyWords_(device, BufferKind::texelWords, 16, "dummy") {}
 
-Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage,
-                   const Buffer* tables) {
+Bindings::Bindings(const Device& device, const TexelBuffers& scene, std::span<const Buffer* const> storage) {
   assert(storage.size() <= storageBindings);
   const PassLayout& layout = device.passLayout();
-  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 2),
+  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 4),
                             vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, storageBindings)};
   const vk::DescriptorPoolCreateInfo poolInfo({}, 1, sizes);
   const vk::DescriptorSetLayout setLayout = layout.set();
@@ -107,24 +108,27 @@ Bindings::Bindings(const Device& device, const Buffer* rows, std::span<const Buf
     vk::DescriptorSetAllocateInfo allocate(*pool_, setLayout);
     set_ = vk::raii::DescriptorSets(device.handle(), allocate).front().release();
   });
-  const auto texelsOf = [&](const Buffer* buffer) {
-    const vk::BufferView view = buffer && *buffer ? buffer->texels() : layout.dummy().texels();
-    assert(view && "texel buffers hold whole rows and are of kind upload");
-    return view;
-  };
-  const vk::BufferView texels = texelsOf(rows), tableTexels = texelsOf(tables);
   std::array<vk::DescriptorBufferInfo, storageBindings> buffers;
   for (std::size_t i = 0; i < storageBindings; ++i) {
     const Buffer* buffer = i < storage.size() && storage[i] && *storage[i] ? storage[i] : &layout.dummy();
     buffers[i] = vk::DescriptorBufferInfo(buffer->handle(), 0, VK_WHOLE_SIZE);
   }
-  vk::WriteDescriptorSet writeRows(set_, 0, 0, 1, vk::DescriptorType::eUniformTexelBuffer);
-  writeRows.setTexelBufferView(texels);
   vk::WriteDescriptorSet writeStorage(set_, 1, 0, storageBindings, vk::DescriptorType::eStorageBuffer);
   writeStorage.pBufferInfo = buffers.data();  // consecutive bindings from 1 on
-  vk::WriteDescriptorSet writeTables(set_, tablesBinding, 0, 1, vk::DescriptorType::eUniformTexelBuffer);
-  writeTables.setTexelBufferView(tableTexels);
-  device.handle().updateDescriptorSets({writeRows, writeStorage, writeTables}, {});
+  device.handle().updateDescriptorSets(writeStorage, {});
+  writeTexels(device, 0, scene.rows, layout.dummy());
+  writeTexels(device, tablesBinding, scene.tables, layout.dummy());
+  writeTexels(device, meshesBinding, scene.meshes, layout.dummy());
+  writeTexels(device, texelsBinding, scene.texels, layout.dummyWords());
+}
+
+void Bindings::writeTexels(const Device& device, std::uint32_t binding, const Buffer* buffer,
+                           const Buffer& dummy) {
+  const vk::BufferView view = buffer && *buffer ? buffer->texels() : dummy.texels();
+  assert(view && "texel buffers hold whole texels");
+  vk::WriteDescriptorSet write(set_, binding, 0, 1, vk::DescriptorType::eUniformTexelBuffer);
+  write.setTexelBufferView(view);
+  device.handle().updateDescriptorSets(write, {});
 }
 
 ComputePass::ComputePass(const Device& device, std::span<const std::uint32_t> spirv,

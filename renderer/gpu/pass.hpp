@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A shader with its pipeline. All passes share one layout: texel rows at binding 0, storage buffers at 1..7.
+// A shader with its pipeline. All passes share one layout: storage buffers at bindings 1..7, texel buffers at
+// 0 and from 8 on.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,36 +15,49 @@
 namespace steradian::gpu {
 
 inline constexpr std::uint32_t storageBindings = 7;  // bindings 1..7 of set 0
-inline constexpr std::uint32_t tablesBinding = 8;    // a second texel buffer
+inline constexpr std::uint32_t tablesBinding = 8;
+inline constexpr std::uint32_t meshesBinding = 9;
+inline constexpr std::uint32_t texelsBinding = 10;
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
 /// What a GraphicsPass draws into, as RenderTarget and Swapchain hand it out.
 using TargetPass = vk::RenderPass;
 
-/// Owned by Device, the same for every pass: set 0 = { 0 and 8: samplerBuffer, 1..7: storage buffers } for
-/// compute and fragment shaders, 128 bytes of push constants for compute, vertex and fragment shaders.
+/// Owned by Device, the same for every pass: set 0 = { 0, 8, 9: samplerBuffer, 10: usamplerBuffer, 1..7:
+/// storage buffers } for compute and fragment shaders, 128 bytes of push constants for compute, vertex and
+/// fragment shaders.
 class PassLayout {
  public:
   explicit PassLayout(const Device& device);
   vk::DescriptorSetLayout set() const { return *set_; }
   vk::PipelineLayout pipeline() const { return *pipeline_; }
   const Buffer& dummy() const { return dummy_; }  // stands in for unused bindings
+  const Buffer& dummyWords() const { return dummyWords_; }
 
  private:
   vk::raii::DescriptorSetLayout set_;
   vk::raii::PipelineLayout pipeline_;
-  Buffer dummy_;
+  Buffer dummy_, dummyWords_;
+};
+
+/// The texel buffers of a scene, by binding; null or empty = not used.
+struct TexelBuffers {
+  const Buffer* rows = nullptr;    // 0, kind upload
+  const Buffer* tables = nullptr;  // 8, kind upload
+  const Buffer* meshes = nullptr;  // 9, kind texelRows
+  const Buffer* texels = nullptr;  // 10, kind texelWords
 };
 
 /// Which buffers a pass sees. Immutable; the buffers must outlive its use. Null or empty = not used.
 class Bindings {
  public:
-  /// `rows` and `tables`: kind upload, bindings 0 and 8. `storage[i]` goes to binding 1 + i; at most 7.
-  Bindings(const Device& device, const Buffer* rows, std::span<const Buffer* const> storage,
-           const Buffer* tables = nullptr);
+  /// `storage[i]` goes to binding 1 + i; at most 7.
+  Bindings(const Device& device, const TexelBuffers& scene, std::span<const Buffer* const> storage);
   vk::DescriptorSet set() const { return set_; }
 
  private:
+  void writeTexels(const Device& device, std::uint32_t binding, const Buffer* buffer, const Buffer& dummy);
+
   vk::raii::DescriptorPool pool_{nullptr};
   vk::DescriptorSet set_;  // dies with the pool
 };

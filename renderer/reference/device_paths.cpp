@@ -7,7 +7,9 @@
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu_environment.hpp"
 #include "renderer/loop_budget.hpp"
+#include "renderer/mesh_buffer.hpp"
 #include "renderer/reference/shaders.hpp"
+#include "renderer/texel_buffer.hpp"
 
 namespace steradian::reference {
 namespace {
@@ -44,18 +46,36 @@ void checkSize(PixelRect pixels, std::size_t bytes) {
                                    " MiB, 256 MiB is the most; choose a smaller one");
 }
 
+// What the mesh and the texel buffers hold, for the reference.
+std::vector<glm::vec4> meshRows(const GpuScene& scene) {
+  std::vector<glm::vec4> rows;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    for (const auto* part : {&scene.meshes[i]->nodes, &scene.meshes[i]->triangles, &scene.vertices[i]->rows})
+      rows.insert(rows.end(), part->begin(), part->end());
+  return rows;
+}
+
+std::vector<std::uint32_t> texelWords(const GpuScene& scene) {
+  std::vector<std::uint32_t> words = texelTables(scene.textures);
+  for (const auto& texture : scene.textures)
+    words.insert(words.end(), texture->words.begin(), texture->words.end());
+  return words;
+}
+
 }  // namespace
 
 TracedScene tracedScene(GpuScene scene, const gpu::Device& device) {
   const bool cpu = device.description().type == "CPU";
-  const LoopPlan plan = planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget);
+  const LoopPlan plan = planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget, scene.meshSteps);
   scene.params.lightSamples = plan.lightSamples;
   std::vector<glm::vec4> tables = energyTable();
   if (scene.environment) {
     const std::vector<glm::vec4> sky = environmentTables(*scene.environment);
     tables.insert(tables.end(), sky.begin(), sky.end());
   }
-  return {std::move(scene), std::move(tables)};
+  std::vector<glm::vec4> meshes = meshRows(scene);
+  std::vector<std::uint32_t> texels = texelWords(scene);
+  return {std::move(scene), std::move(tables), std::move(meshes), std::move(texels)};
 }
 
 gpu::TraceParams paramsOfSample(const TracedScene& traced, std::uint64_t sample) {
@@ -75,12 +95,13 @@ std::vector<PathRecord> recordPaths(const gpu::Device& device, const TracedScene
                     paths = std::size_t(pixels.width) * pixels.height;
   checkSize(pixels, rows * paths * sizeof(glm::vec4));
   const gpu::Buffer scene = upload(device, traced.scene.rows, "scene"),
-                    tables = upload(device, traced.tables, "tables");
+                    tables = upload(device, traced.tables, "tables"),
+                    meshes = meshBuffer(device, traced.scene), texels = texelBuffer(device, traced.scene);
   const gpu::Buffer record(device, gpu::BufferKind::deviceLocal, rows * paths * sizeof(glm::vec4),
                            "path record");
   const std::array<const gpu::Buffer*, gpu::storageBindings> storage = {nullptr, nullptr, nullptr, nullptr,
                                                                         nullptr, nullptr, &record};
-  const gpu::Bindings bindings(device, &scene, storage, &tables);
+  const gpu::Bindings bindings(device, {&scene, &tables, &meshes, &texels}, storage);
   const gpu::ComputePass pass(device, verify_path_comp_spirv, kindsOf(traced.scene), "verify_path");
   std::vector<PathRecord> records;
   for (std::uint64_t sample = begin; sample < end; ++sample) {

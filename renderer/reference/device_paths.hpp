@@ -21,7 +21,8 @@ struct PathRecord {
 /// A scene with all that the shaders read.
 struct TracedScene {
   GpuScene scene;
-  std::vector<glm::vec4> tables;
+  std::vector<glm::vec4> tables, meshes;
+  std::vector<std::uint32_t> texels;
 };
 
 /// The scene as this device traces it: fewer lights per vertex where its loop budget asks for that. Throws

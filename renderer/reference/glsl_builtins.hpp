@@ -49,6 +49,10 @@ inline float uintBitsToFloat(std::uint32_t bits) {
   return std::bit_cast<float>(bits);
 }
 
+inline glm::vec2 unpackHalf2x16(std::uint32_t bits) {
+  return glm::unpackHalf2x16(bits);
+}
+
 inline std::uint32_t bitfieldReverse(std::uint32_t x) {
   std::uint32_t reversed = 0;
   for (int i = 0; i < 32; ++i) reversed |= ((x >> i) & 1u) << (31 - i);
@@ -80,6 +84,7 @@ class GlslBuiltins {
   using uvec2 = glm::uvec2;
   using uint = std::uint32_t;
   using samplerBuffer = std::span<const glm::vec4>;
+  using usamplerBuffer = std::span<const std::uint32_t>;
 
   /// Push constants, their numbers in this precision.
   struct Params : gpu::TraceParams {
@@ -90,7 +95,8 @@ class GlslBuiltins {
   };
 
   Params params{gpu::TraceParams{}};
-  samplerBuffer sceneRows, tableRows;
+  samplerBuffer sceneRows, tableRows, meshRows;
+  usamplerBuffer texels;
 
  protected:
   /// `features`: bit i is specialization constant i, as on the device.
@@ -103,6 +109,9 @@ class GlslBuiltins {
   /// Beyond the end 0, as a robust device answers.
   static vec4 texelFetch(samplerBuffer rows, int at) {
     return at >= 0 && std::size_t(at) < rows.size() ? vec4(rows[std::size_t(at)]) : vec4(0);
+  }
+  static glm::uvec4 texelFetch(usamplerBuffer words, int at) {
+    return {at >= 0 && std::size_t(at) < words.size() ? words[std::size_t(at)] : 0u, 0u, 0u, 1u};
   }
 
  private:

@@ -106,6 +106,8 @@ struct Judge::Impl {
   explicit Impl(const TracedScene& traced) : traced(traced), shaders(traced.scene.features) {
     shaders.sceneRows = traced.scene.rows;
     shaders.tableRows = traced.tables;
+    shaders.meshRows = traced.meshes;
+    shaders.texels = traced.texels;
   }
 
   void startPath(const PathRecord& record) {
@@ -123,15 +125,22 @@ struct Judge::Impl {
     path.bounce = std::uint32_t(state[3].w);
     path.radiance = vectorOf(state[4]);
     path.index = std::uint32_t(state[4].w);
+    path.width = state[5].x;
+    path.spread = state[5].y;
     return path;
   }
 
+  Double::Hit hitOf(const glm::vec4& hit) const {
+    const std::uint32_t primitive = std::min(indexOf(hit.y), layout.end - 1u);
+    return {distanceOf(hit.x), primitive, std::bit_cast<std::uint32_t>(hit.z)};
+  }
+
   // The surface as the device found it, in which later stages start.
-  Double::Vertex vertexOf(Rows surface, const Double::Path& path, std::uint32_t primitive) {
-    const Double::Surface at(vectorOf(surface[0]), vectorOf(surface[1]));
-    Double::Vertex v = shaders.vertexAt(at, path, primitive, shaders.pathSeed(pixel), layout);
+  Double::Vertex vertexOf(Rows surface, const Double::Path& path, const glm::vec4& hit) {
+    Double::Vertex v = shaders.vertexAt(hitOf(hit), path, shaders.pathSeed(pixel), layout);
+    v.surface.p = vectorOf(surface[0]);
     v.inside = surface[0].w != 0.0f;
-    v.frame = shaders.frameAround(v.inside ? -at.normal : at.normal);
+    v.frame = shaders.frameAround(vectorOf(surface[1]));
     v.wo = vectorOf(surface[2]);
     return v;
   }
@@ -145,19 +154,17 @@ struct Judge::Impl {
   }
 
   void compareHit(glm::vec4 row, const Double::Path& path, Notes& notes) {
-    const Double::Hit hit = shaders.closestHit(path.ray, shaders.INFINITE, layout);
+    const Double::Hit hit = shaders.nextHit(path, shaders.pathSeed(pixel), layout);
     notes.index(Quantity::primitive, indexOf(row.y), hit.primitive);
     if (hit.primitive == indexOf(row.y) && row.y >= 0.0f)
       notes.number(Quantity::distance, row.x, hit.t, glm::length(path.ray.o));
   }
 
   void compareSurface(glm::vec4 hit, Rows row, const Double::Path& path, Notes& notes) {
-    const Double::Hit at(distanceOf(hit.x), indexOf(hit.y));
-    const Double::Vertex v = shaders.vertexAt(shaders.surfaceAt(path.ray, at, layout), path, at.primitive,
-                                              shaders.pathSeed(pixel), layout);
+    const Double::Vertex v = shaders.vertexAt(hitOf(hit), path, shaders.pathSeed(pixel), layout);
     notes.vector(Quantity::point, vectorOf(row[0]), v.surface.p,
                  std::max(double(hit.x), glm::length(path.ray.o)));
-    notes.vector(Quantity::normal, vectorOf(row[1]), v.surface.normal);
+    notes.vector(Quantity::normal, vectorOf(row[1]), v.frame.n);
     notes.vector(Quantity::outgoing, vectorOf(row[2]), v.wo);
   }
 
@@ -192,13 +199,14 @@ struct Judge::Impl {
     notes.slot = -1;
   }
 
-  void compareNext(Rows row, Rows given, const Double::Path& path, Double::Vertex& v, Notes& notes) {
+  void compareNext(Rows row, Rows given, const Double::Path& path, double t, Double::Vertex& v,
+                   Notes& notes) {
     const Double::BsdfSample next = shaders.nextDirection(v);
     const Double::BsdfSample sent(vectorOf(given[0]), vectorOf(given[1]), row[0].w);
     notes.vector(Quantity::nextDirection, vectorOf(row[0]), next.wi);
     notes.vector(Quantity::nextWeight, vectorOf(row[1]), next.weight);
     notes.number(Quantity::nextPdf, row[0].w, next.pdf);
-    notes.vector(Quantity::throughput, vectorOf(row[2]), shaders.continued(path, v, sent).throughput);
+    notes.vector(Quantity::throughput, vectorOf(row[2]), shaders.continued(path, t, v, sent).throughput);
   }
 
   // `device`: what the device answered; `given`: the same rows, or disturbed ones, as the inputs of each
@@ -211,17 +219,19 @@ struct Judge::Impl {
     const glm::vec4 hit = given[shaders.RECORD_HIT];
     const bool left = hit.y < 0.0f;
     if (!left) compareSurface(hit, device.subspan(shaders.RECORD_SURFACE), path, notes);
-    const std::uint32_t primitive = std::min(indexOf(hit.y), layout.end - 1u);
-    Double::Vertex v = vertexOf(given.subspan(shaders.RECORD_SURFACE), path, primitive);
+    Double::Vertex v = vertexOf(given.subspan(shaders.RECORD_SURFACE), path, hit);
     if (!left) path = shaders.arrived(path, hit.x);
-    notes.vector(Quantity::met, vectorOf(device[shaders.RECORD_MET]), shaders.metLight(path, v, left));
+    // A path that carries nothing meets nothing.
+    const bool alive = shaders.maxComponent(path.throughput) > 0.0;
+    notes.vector(Quantity::met, vectorOf(device[shaders.RECORD_MET]),
+                 alive ? shaders.metLight(path, v, left) : glm::dvec3(0));
     if (left) return;
     for (std::uint32_t slot = 0; slot <= shaders.RECORD_SKY; ++slot) {
       const std::size_t at = shaders.RECORD_LIGHTS + slot * shaders.RECORD_LIGHT_ROWS;
       compareSlot(device.subspan(at), given.subspan(at), slot, v, notes);
     }
     const Rows next = device.subspan(shaders.RECORD_NEXT);
-    if (next[1].w == 0.0f) compareNext(next, given.subspan(shaders.RECORD_NEXT), path, v, notes);
+    if (next[1].w == 0.0f) compareNext(next, given.subspan(shaders.RECORD_NEXT), path, hit.x, v, notes);
   }
 
   // How far the reference moves when its inputs do.

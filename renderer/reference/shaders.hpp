@@ -20,7 +20,9 @@ class Shaders : public GlslBuiltins<Real> {
   using typename GlslBuiltins<Real>::uint;
   using GlslBuiltins<Real>::params;
   using GlslBuiltins<Real>::sceneRows;
+  using GlslBuiltins<Real>::meshRows;
   using GlslBuiltins<Real>::tableRows;
+  using GlslBuiltins<Real>::texels;
 
   /// `features`: FEATURE_* bits of the variant to be followed.
   explicit Shaders(std::uint32_t features = ~0u) : GlslBuiltins<Real>(features) {}

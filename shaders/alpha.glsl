@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that are there only in part: each is met or passed as a whole, in proportion to its opacity. Rays that shade
+// and rays to lights decide alike, while they look for the nearest hit, so that passing costs no bounce.
+#ifndef ALPHA_GLSL
+#define ALPHA_GLSL
+#include "mesh_attributes.glsl"
+#include "random.glsl"
+#include "texture.glsl"
+
+// What all decisions of one ray depend on; 0: whatever has any opacity is met. Rays whose results are multiplied need
+// different ones.
+uint alphaSeed = 0u;
+
+void seedAlpha(uint seed, uint index, uint ray) {
+  if (kAlpha) alphaSeed = hashCombine(hashCombine(seed, index), ray) | 1u;
+}
+
+// The material's opacity at a point of a triangle. Textures are read in full resolution: samples average them.
+float opacityAt(uint materialRow, uint primitive, uint triangle, vec3 weights, Layout l) {
+  Corners corners = cornersOf(primitive, triangle, l);
+  float opacity = fetchRow(materialRow + 7u).y * interpolatedColor(corners, weights).w;
+  uint ref = floatBitsToUint(fetchRow(materialRow + 6u).x);
+  TextureRef t = fetchTextureRef(ref != 0u ? ref : materialRow);
+  if (kTextures && ref != 0u) {
+    vec4 uv = interpolatedUv(corners, weights);
+    bool second = (t.bits & TEXEL_UV1) != 0u;
+    opacity *= lookUp(t, second ? uv.z : uv.x, second ? uv.w : uv.y, 0u).w;
+  }
+  return opacity;
+}
+
+// Whether a ray meets this point of a triangle; weights need not sum to 1.
+bool isMet(uint primitive, uint triangle, vec3 weights) {
+  uint row = params.materialRow + primitive * MATERIAL_ROWS;
+  uint bits = floatBitsToUint(fetchRow(row + 1u).w);
+  bool met = true;
+  if ((bits & MATERIAL_ALPHA) != 0u) {
+    float opacity = opacityAt(row, primitive, triangle, weights / (weights.x + weights.y + weights.z), primitiveLayout());
+    float chance = unitFloat(hashCombine(hashCombine(alphaSeed, triangle), primitive));
+    bool masked = (bits & MATERIAL_MASK) != 0u;
+    met = masked ? opacity >= fetchRow(row + 7u).z : (alphaSeed == 0u ? opacity > 0.0 : chance < opacity);
+  }
+  return met;
+}
+
+#endif

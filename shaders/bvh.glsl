@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Meshes: down the hierarchy over the instances, in each of them down the hierarchy over its triangles, nearer boxes first.
+#ifndef BVH_GLSL
+#define BVH_GLSL
+#include "alpha.glsl"
+#include "scene.glsl"
+#include "shapes.glsl"
+#include "triangle.glsl"
+
+// Form of the loop over a mesh: first down to a leaf in a loop of its own, then its triangles in another; or one loop whose
+// turns test a node or a triangle. The first suits drivers that run both sides of every branch.
+layout(constant_id = 36) const bool kWhileWhile = true;
+layout(constant_id = 38) const bool kOneInstance = false;
+
+struct Hit {
+  float t;
+  uint primitive;
+  uint triangle;  // of a mesh: its first row
+};
+
+// Links left for later, and where the ray enters their boxes. No branches around them: lavapipe runs both sides anyway, and
+// two stores under one mask compile to selects where a lone one becomes a branch per lane (1.3 to 1.5 times the speed).
+uint meshStack[BVH_DEPTH + 1u];
+float meshEnter[BVH_DEPTH + 1u];
+uint topStack[TOP_LEVEL_DEPTH + 1u];
+float topEnter[TOP_LEVEL_DEPTH + 1u];
+
+// Whether a driver's loop budget ended a traversal before its time: its result is wrong.
+bool traversalCut = false;
+
+// Of two children: the nearer one, the farther one for the stack, and how many are met.
+struct Order {
+  uint next;
+  uint later;
+  float laterEnter;
+  bool both;
+  bool none;
+};
+
+Order inOrder(float enterA, float enterB, float linkA, float linkB) {
+  bool nearerA = enterA <= enterB;
+  float farther = max(enterA, enterB);
+  return Order(floatBitsToUint(nearerA ? linkA : linkB), floatBitsToUint(nearerA ? linkB : linkA), farther, farther < INFINITE,
+               min(enterA, enterB) == INFINITE);
+}
+
+// A link from the stack, unless something nearer has been hit since.
+uint unlessBeyond(uint link, float enter, float tMax) { return enter >= tMax && link != BVH_END ? BVH_NOTHING : link; }
+
+// A child's 16-bit bounds count from 0, so the ray must too.
+float enterChild(BoxRay ray, vec4 child, float tMax) {
+  uint x = floatBitsToUint(child.x);
+  uint y = floatBitsToUint(child.y);
+  uint z = floatBitsToUint(child.z);
+  vec3 low = vec3(float(int(x & 0xffffu)), float(int(y & 0xffffu)), float(int(z & 0xffffu)));
+  vec3 high = vec3(float(int(x >> 16)), float(int(y >> 16)), float(int(z >> 16)));
+  return enterBox(ray, low, high, tMax);
+}
+
+// What comes after a node: its nearer child, or what the stack holds.
+uint afterNode(uint row, BoxRay ray, float tMax, inout uint height) {
+  vec4 a = fetchMesh(row);
+  vec4 b = fetchMesh(row + 1u);
+  Order o = inOrder(enterChild(ray, a, tMax), enterChild(ray, b, tMax), a.w, b.w);
+  uint popped = unlessBeyond(meshStack[height - 1u], meshEnter[height - 1u], tMax);
+  meshStack[height] = o.later;
+  meshEnter[height] = o.laterEnter;
+  height += o.both ? 1u : 0u;
+  height -= o.none ? 1u : 0u;
+  return o.none ? popped : o.next;
+}
+
+void nearerTriangle(inout Hit hit, uint row, vec3 o, Shear shear, uint primitive) {
+  TriangleHit found = hitTriangle(o, shear, fetchMesh(row).xyz, fetchMesh(row + 1u).xyz, fetchMesh(row + 2u).xyz);
+  bool closer = found.t < hit.t;
+  if (kAlpha) closer = closer && isMet(primitive, row, found.weights);
+  hit.t = closer ? found.t : hit.t;
+  hit.primitive = closer ? primitive : hit.primitive;
+  hit.triangle = closer ? row : hit.triangle;
+}
+
+// The ray in the mesh's grid; `any`: the first triangle found is enough. Starts at link `node`.
+void hitMesh(inout Hit hit, LocalRay ray, uint node, uint nodeRow, uint triangleRow, uint primitive, bool any) {
+  float tMax = hit.t;
+  Shear shear = shearAlong(ray.d);
+  BoxRay box = boxRay(ray.o + vec3(BVH_ORIGIN), ray.d, 0.25);
+  uint height = 1u;
+  meshStack[0] = BVH_END;
+  meshEnter[0] = 0.0;
+  while (node != BVH_END) {
+    if (kWhileWhile) {
+      while (node < BVH_LEAF) node = afterNode(nodeRow + node, box, hit.t, height);
+      uint row = triangleRow + (node & BVH_FIRST_MASK) * BVH_TRIANGLE_ROWS;
+      uint count = node == BVH_END ? 0u : (node & ~BVH_LEAF) >> BVH_COUNT_SHIFT;
+      uint end = row + count * BVH_TRIANGLE_ROWS;
+      for (; row < end; row += BVH_TRIANGLE_ROWS) nearerTriangle(hit, row, ray.o, shear, primitive);
+      height = max(height, 1u) - 1u;
+      node = any && hit.t < tMax ? BVH_END : meshStack[height];
+    } else if (node < BVH_LEAF) {
+      node = afterNode(nodeRow + node, box, hit.t, height);
+    } else {
+      nearerTriangle(hit, triangleRow + (node & BVH_FIRST_MASK) * BVH_TRIANGLE_ROWS, ray.o, shear, primitive);
+      bool more = (node & ~BVH_LEAF) >> BVH_COUNT_SHIFT > 1u;
+      height -= more ? 0u : 1u;
+      node = more ? node + 1u - (1u << BVH_COUNT_SHIFT) : meshStack[height];
+      node = any && hit.t < tMax ? BVH_END : node;
+    }
+  }
+  traversalCut = traversalCut || node != BVH_END;
+}
+
+uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
+  vec4 lowA = fetchRow(row);
+  vec4 lowB = fetchRow(row + 2u);
+  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, tMax);
+  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, tMax);
+  Order o = inOrder(enterA, enterB, lowA.w, lowB.w);
+  uint popped = unlessBeyond(topStack[height - 1u], topEnter[height - 1u], tMax);
+  topStack[height] = o.later;
+  topEnter[height] = o.laterEnter;
+  height += o.both ? 1u : 0u;
+  height -= o.none ? 1u : 0u;
+  return o.none ? popped : o.next;
+}
+
+void hitInstance(inout Hit hit, uint instance, bool there, vec3 o, vec3 d, bool any, Layout l) {
+  uint primitive = l.instance + instance;
+  uint row = instanceRow(l, primitive);
+  LocalRay local = toUnit(o, d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
+  vec4 bits = fetchRow(row + 3u);
+  hitMesh(hit, local, there ? 0u : BVH_END, floatBitsToUint(bits.x), floatBitsToUint(bits.y), primitive, any);
+}
+
+// The hierarchy above the meshes.
+void hitTopLevel(inout Hit hit, vec3 o, vec3 d, bool any, Layout l) {
+  float tMax = hit.t;
+  BoxRay box = boxRay(o, d, 0.0);
+  uint topRow = params.topLevelRow;
+  uint node = params.instanceCount > 0u ? 0u : BVH_END;
+  uint height = 1u;
+  topStack[0] = BVH_END;
+  topEnter[0] = 0.0;
+  while (node != BVH_END) {
+    while (node < BVH_LEAF) node = afterTopNode(topRow + node, box, hit.t, height);
+    bool there = node != BVH_END && node != BVH_NOTHING;
+    hitInstance(hit, there ? node & BVH_FIRST_MASK : 0u, there, o, d, any, l);
+    height = max(height, 1u) - 1u;
+    node = any && hit.t < tMax ? BVH_END : topStack[height];
+  }
+  traversalCut = traversalCut || node != BVH_END;
+}
+
+// All instances of meshes; `any`: the first triangle found is enough.
+void hitMeshes(inout Hit hit, vec3 o, vec3 d, bool any, Layout l) {
+  if (kOneInstance) hitInstance(hit, 0u, true, o, d, any, l);
+  else hitTopLevel(hit, o, d, any, l);
+}
+
+#endif
