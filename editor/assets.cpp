@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading skies, and naming them relative to the project.
+// Reading skies and textures, and naming them relative to the project.
 #include "editor/assets.hpp"
 
 #include <algorithm>
@@ -40,9 +40,9 @@ std::size_t sanitize(Image& image) {
 
 Image readSky(const fs::path& file, std::vector<AssetProblem>& problems) {
   const ImageFile read = readImage(file);
-  if (read.format == "png")
+  if (read.format == "png" || read.format == "jpeg")
     throw Error(ExitCode::badInput,
-                file.string() + ": is a PNG, whose range ends at white; give the sky as EXR or HDR");
+                file.string() + ": is a PNG or JPEG, whose range ends at white; give the sky as EXR or HDR");
   Image sky = threeChannels(read.image);
   if (const std::size_t bad = sanitize(sky))
     problems.push_back({file.string() + ": " + std::to_string(bad) +
@@ -73,8 +73,7 @@ std::shared_ptr<const Image> Assets::image(const fs::path& file, std::vector<Ass
   return fresh;
 }
 
-std::vector<AssetProblem> Assets::load(Scene& scene, const fs::path& projectFolder) {
-  std::vector<AssetProblem> problems;
+void Assets::loadSkies(Scene& scene, const fs::path& projectFolder, std::vector<AssetProblem>& problems) {
   for (Object& object : scene.objects) {
     EnvironmentLight* sky = environmentOf(object);
     if (!sky) continue;
@@ -88,6 +87,12 @@ std::vector<AssetProblem> Assets::load(Scene& scene, const fs::path& projectFold
            true});
     }
   }
+}
+
+std::vector<AssetProblem> Assets::load(Scene& scene, const fs::path& projectFolder) {
+  std::vector<AssetProblem> problems;
+  loadSkies(scene, projectFolder, problems);
+  for (std::string& message : textures_.load(scene, projectFolder)) problems.push_back({std::move(message)});
   return problems;
 }
 
@@ -117,6 +122,7 @@ Scene withAssetsNamedFrom(Scene scene, const fs::path& oldFolder, const fs::path
   for (Object& object : scene.objects)
     if (EnvironmentLight* sky = environmentOf(object); sky && !sky->file.empty())
       sky->file = assetName(oldFolder / sky->file, newFolder);
+  renameTextures(scene, [&](const std::string& file) { return assetName(oldFolder / file, newFolder); });
   return scene;
 }
 

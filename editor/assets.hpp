@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that a scene names: skies are read into their environment lights.
+// The files that a scene names: skies are read into their environment lights, textures into materials.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/textures.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace steradian {
@@ -15,7 +16,7 @@ namespace steradian {
 /// One file that could not be used, or not as it is: file, cause and remedy.
 struct AssetProblem {
   std::string message;
-  bool missing = false;  // the scene looks other than meant: nothing of the file was loaded
+  bool missing = false;  // a sky of which nothing was loaded: commands refuse the scene
 };
 
 /// Reads the files of scenes. One thread at a time.
@@ -23,7 +24,8 @@ class Assets {
  public:
   /// Fills EnvironmentLight::image for every light that names a file: 3 channels of finite values >= 0. A
   /// file that is unchanged (time and size) and whose pixels some scene still holds keeps its pointer, so
-  /// equal scenes stay equal. A light whose file cannot be used shows its gradient alone.
+  /// equal scenes stay equal. A light whose file cannot be used shows its gradient alone. Materials get
+  /// textures with pixels (see Textures).
   std::vector<AssetProblem> load(Scene& scene, const std::filesystem::path& projectFolder);
 
  private:
@@ -34,10 +36,14 @@ class Assets {
   };
   std::shared_ptr<const Image> image(const std::filesystem::path& file, std::vector<AssetProblem>& problems);
 
+  void loadSkies(Scene& scene, const std::filesystem::path& projectFolder,
+                 std::vector<AssetProblem>& problems);
+
   std::map<std::filesystem::path, Loaded> loaded_;
+  Textures textures_;
 };
 
-/// For commands: throws Error(badInput) when a file is missing, returns what is only worth a warning.
+/// For commands: throws Error(badInput) when a sky is missing, returns what is only worth a warning.
 std::vector<std::string> loadAssets(Scene& scene, const std::filesystem::path& projectFolder);
 
 /// The folder that the files of a project are relative to; `project` may be the folder itself.

@@ -90,6 +90,7 @@ struct ShapeName {
   const char* operator()(const Rect&) const { return "Rect"; }
   const char* operator()(const Disk&) const { return "Disk"; }
   const char* operator()(const Cylinder&) const { return "Cylinder"; }
+  const char* operator()(const MeshShape&) const { return "Mesh"; }
 };
 struct LightName {
   const char* operator()(const PointLight&) const { return "Point light"; }

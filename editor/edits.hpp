@@ -2,6 +2,7 @@
 // Every editing operation as a pure function Scene -> Scene; the Document stores the results, so undo needs
 // nothing.
 #pragma once
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,16 @@ Scene remove(Scene scene, std::span<const Id> objects, Children children = Child
 /// Deep copies with new ids and names ("Lamp" -> "Lamp.001"), animation included. An object whose ancestor is
 /// in the list too is copied once. The ids are those of the copied roots, in the order of the scene.
 AddedMany duplicate(Scene scene, std::span<const Id> objects);
+
+/// A scene with another one in it.
+struct Merged {
+  Scene scene;
+  Id group = Id::none;   // of everything that came
+  std::set<Id> objects;  // what came
+};
+/// Adds the objects, materials and animation of `imported`, a sound scene, under one group called `name`:
+/// with new ids and names that are still free. Its settings stay out, and its cameras are only objects.
+Merged merge(Scene scene, const Scene& imported, std::string_view name);
 
 /// Names stay unique: a taken one gets the next free number. An empty name changes nothing.
 Scene rename(Scene scene, Id object, std::string_view name);

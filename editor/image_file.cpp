@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 
 #include "renderer/scene/error.hpp"
 
@@ -17,28 +18,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "openexr", "hdr", "png" or empty.
-std::string formatOf(const fs::path& path) {
-  std::array<char, 8> head{};
-  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
-  if (std::memcmp(head.data(), "\x76\x2f\x31\x01", 4) == 0) return "openexr";
-  if (std::memcmp(head.data(), "\x89PNG\r\n\x1a\n", 8) == 0) return "png";
-  if (std::memcmp(head.data(), "#?", 2) == 0) return "hdr";
+/// "openexr", "hdr", "png", "jpeg" or empty.
+std::string formatOf(std::string_view head) {
+  if (head.starts_with("\x76\x2f\x31\x01")) return "openexr";
+  if (head.starts_with("\x89PNG\r\n\x1a\n")) return "png";
+  if (head.starts_with("\xff\xd8\xff")) return "jpeg";
+  if (head.starts_with("#?")) return "hdr";
   return {};
 }
 
-using Read = void (*)(const std::string&, const std::string&, ImageFile&, std::string&);
+std::string formatOf(const fs::path& path) {
+  std::array<char, 8> head{};
+  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+  return formatOf(std::string_view(head.data(), head.size()));
+}
 
-Read loadReader() {
+using ReadImage = void(const std::string&, const std::string&, ImageFile&, std::string&);
+using ReadTexture = void(const void*, std::size_t, const std::string&, TexturePixels&, std::string&);
+
+template <class Function>
+Function* reader(const char* name) {
   std::error_code none;
   const fs::path module =
       fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / STERADIAN_READER;
   void* library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* symbol = library ? dlsym(library, "steradianReadImage") : nullptr;
+  void* symbol = library ? dlsym(library, name) : nullptr;
   if (!symbol)
     throw Error(ExitCode::failed,
                 std::string("the image reader cannot be loaded: ") + dlerror() + "; reinstall steradian");
-  return reinterpret_cast<Read>(symbol);
+  return reinterpret_cast<Function*>(symbol);
 }
 
 }  // namespace
@@ -56,13 +64,25 @@ ImageFile readImage(const fs::path& path) {
   if (!std::ifstream(path))
     throw Error(ExitCode::io, path.string() + ": cannot be opened: " + std::strerror(errno));
   const std::string format = formatOf(path);
-  if (format.empty()) throw Error(ExitCode::badInput, path.string() + ": is not an EXR, HDR or PNG image");
+  if (format.empty())
+    throw Error(ExitCode::badInput, path.string() + ": is not an EXR, HDR, PNG or JPEG image");
   ImageFile file;
   std::string reason;
-  loadReader()(path.string(), format, file, reason);
+  reader<ReadImage>("steradianReadImage")(path.string(), format, file, reason);
   if (!reason.empty())
     throw Error(ExitCode::badInput, path.string() + ": damaged or not readable: " + reason);
   return file;
+}
+
+TexturePixels decodeTexture(std::span<const std::uint8_t> bytes) {
+  const std::string format =
+      formatOf(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  if (format.empty()) throw Error(ExitCode::badInput, "is not a PNG, JPEG, HDR or EXR image");
+  TexturePixels pixels;
+  std::string reason;
+  reader<ReadTexture>("steradianReadTexture")(bytes.data(), bytes.size(), format, pixels, reason);
+  if (!reason.empty()) throw Error(ExitCode::badInput, "is damaged or not readable: " + reason);
+  return pixels;
 }
 
 }  // namespace steradian

@@ -49,7 +49,7 @@ StillExtras partExtras(Renderer& renderer, const StillOrigin& origin) {
   from.nan = origin.stats.nanSamples;
   from.devices = {origin.device};
   const Part part = partOf(renderer.filmSums(), std::move(from));
-  return {layersOf(part), partMetadata(part.origin)};
+  return {layersOf(part), partMetadata(part.origin), meanOf(part)};
 }
 
 void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path& path) {
@@ -73,7 +73,8 @@ void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path
 void saveStill(const plugins::PluginHost& host, Renderer& renderer, const StillOrigin& origin,
                const std::vector<std::filesystem::path>& paths, const plugins::Parameters& parameters,
                const StillExtras& extras) {
-  const Image radiance = renderer.radiance(), displayed = renderer.displayed();
+  const Image radiance = extras.radiance ? *extras.radiance : renderer.radiance();
+  const Image displayed = renderer.displayed();
   plugins::ImageToSave image{radiance.width,          radiance.height, radiance.pixels.data(),
                              displayed.pixels.data(), extras.metadata, extras.layers};
   image.metadata.merge(metadataOf(origin));

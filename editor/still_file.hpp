@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path
 struct StillExtras {
   std::vector<plugins::ImageLayer> layers;
   std::map<std::string, std::string> metadata;  // wins over what metadataOf() says
+  std::optional<Image> radiance = {};           // instead of the renderer's, where parts must agree on it
 };
 
 /// The accumulated sums, from which `steradian merge` puts disjoint ranges of samples together without loss.

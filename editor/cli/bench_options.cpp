@@ -8,6 +8,7 @@
 
 #include "editor/cli/arguments.hpp"
 #include "editor/cli/bench.hpp"
+#include "editor/cli/bench_mesh.hpp"
 
 namespace steradian::bench {
 
@@ -18,7 +19,21 @@ struct Arguments {
   std::string size;
   std::filesystem::path firstPixel;
   bool json = false, skipFirstPixel = false, noTargets = false;
+  bool meshes = false, ifIf = false, whileWhile = false;
+  MeshBenchOptions meshOptions;
 };
+
+int runMeshBench(const Arguments& arguments) {
+  MeshBenchOptions options = arguments.meshOptions;
+  options.device = arguments.options.device;
+  options.runs = arguments.options.runs;
+  if (arguments.ifIf) options.whileWhile = false;
+  if (arguments.whileWhile) options.whileWhile = true;
+  if (!arguments.size.empty()) options.side = cli::parseSize(arguments.size).width / 8 * 8;
+  const MeshBench bench = measureMeshes(options);
+  std::fputs((arguments.json ? jsonOf(bench) : textOf(bench)).c_str(), stdout);
+  return 0;
+}
 
 int runBench(Arguments arguments, const std::vector<std::string>& self) {
   BenchOptions& options = arguments.options;
@@ -27,6 +42,7 @@ int runBench(Arguments arguments, const std::vector<std::string>& self) {
     renderFirstPixel(arguments.firstPixel, options);
     return 0;
   }
+  if (arguments.meshes) return runMeshBench(arguments);
   if (options.projects.empty())
     throw Error(ExitCode::usage,
                 "bench: name at least one project, e.g. steradian bench projects/thesis-room");
@@ -66,6 +82,17 @@ std::function<int()> addBenchOptions(CLI::App& command, const std::vector<std::s
   command.add_option("--plugin-path", o.pluginPath, "Further folder with plugins; repeatable")
       ->allow_extra_args(false);
   command.add_flag("--json", arguments->json, "Machine-readable output");
+  command.add_flag("--mesh", arguments->meshes,
+                   "Measure rays through triangle meshes instead, beside Embree");
+  command
+      .add_option("--triangles", arguments->meshOptions.triangles, "With --mesh: sizes, e.g. 1000,10000000")
+      ->delimiter(',')
+      ->check(CLI::Range(100, 40'000'000));
+  command.add_option("--threads", arguments->meshOptions.threads, "With --mesh: of Embree and of the builds")
+      ->check(CLI::Range(1, 256));
+  command.add_flag("--if-if", arguments->ifIf, "With --mesh: one loop for nodes and triangles, as on GPUs");
+  command.add_flag("--while-while", arguments->whileWhile, "With --mesh: a loop for each, as on CPU drivers")
+      ->excludes("--if-if");
   return [arguments, self] { return runBench(*arguments, self); };
 }
 

@@ -9,6 +9,7 @@
 #include "editor/assets.hpp"
 #include "editor/cli/commands.hpp"
 #include "editor/cli/console.hpp"
+#include "editor/cli/info_assets.hpp"
 #include "editor/edits.hpp"
 #include "editor/image_file.hpp"
 #include "plugins/host/plugin_host.hpp"
@@ -17,8 +18,6 @@ namespace steradian::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct InfoOptions {
   std::filesystem::path file;
   std::vector<std::filesystem::path> pluginPath;
@@ -26,9 +25,8 @@ struct InfoOptions {
 };
 
 /// "sky.exr": its size, or why it cannot be used.
-Json imagesOf(Scene scene, const std::filesystem::path& folder) {
+Json imagesOf(const Scene& scene) {
   Json images = Json::object();
-  const std::vector<AssetProblem> problems = Assets().load(scene, folder);
   for (const Object& object : scene.objects) {
     const auto* light = std::get_if<Light>(&object.content);
     const auto* sky = light ? std::get_if<EnvironmentLight>(&light->kind) : nullptr;
@@ -37,32 +35,33 @@ Json imagesOf(Scene scene, const std::filesystem::path& folder) {
                             ? std::to_string(sky->image->width) + "x" + std::to_string(sky->image->height)
                             : std::string("missing");
   }
-  for (const AssetProblem& problem : problems) warn(problem.message);
   return images;
 }
 
-Json jsonOf(const plugins::ImportResult& imported, const std::filesystem::path& file) {
-  const Scene& scene = imported.scene;
+/// Reads the files that the scene names first, so that what is missing is told.
+Json jsonOf(plugins::ImportResult imported, const std::filesystem::path& file) {
+  Scene& scene = imported.scene;
+  for (const AssetProblem& problem : Assets().load(scene, projectFolderOf(file))) warn(problem.message);
   std::map<std::string, int> kinds;
-  Json cameras = Json::array(), notKept = Json::array();
+  Json cameras = Json::array();
   for (const Object& object : scene.objects) {
     ++kinds[edits::kindName(object.content)];
     if (std::holds_alternative<Camera>(object.content)) cameras.push_back(object.name);
   }
-  for (const auto& line : imported.report.notKept)
-    notKept.push_back({{"what", line.what}, {"why", line.why}});
   return {{"kind", "scene"},
           {"name", scene.name},
           {"objects", kinds},
           {"cameras", cameras},
           {"materials", scene.materials.size()},
-          {"images", imagesOf(scene, projectFolderOf(file))},
+          {"meshes", meshInfo(scene)},
+          {"textures", textureInfo(scene)},
+          {"images", imagesOf(scene)},
           {"channels", scene.animation.channels.size()},
           {"width", scene.render.width},
           {"height", scene.render.height},
           {"maxBounces", scene.render.maxBounces},
           {"tonemapper", scene.display.tonemapper},
-          {"notKept", notKept}};
+          {"import", importInfo(imported.report)}};
 }
 
 Json jsonOf(const ImageFile& file) {

@@ -72,7 +72,8 @@ int runRender(const RenderOptions& options) {
   const PreparedScene prepared = prepareScene(host, options);
   const Scene& scene = prepared.scene;
   const StillRequest request = requestOf(options, scene);
-  const std::vector<Aov> aovs = parseAovs(options.aov, options.outputs, scene.render.errorMeter);
+  const bool part = !options.samples.empty();
+  const std::vector<Aov> aovs = parseAovs(options.aov, options.outputs, scene.render.errorMeter, part);
   const CameraView view = cameraView(scene, options.camera);
   RenderReport report;
   report.loadSeconds = secondsSinceStart();
@@ -97,9 +98,10 @@ int runRender(const RenderOptions& options) {
                            result.stats,
                            partial};
   StillExtras extras;
-  if (!options.samples.empty()) extras = partExtras(renderer, origin);
+  if (part) extras = partExtras(renderer, origin);
   if (!aovs.empty())
-    for (plugins::ImageLayer& layer : aovLayers(renderer, aovs)) extras.layers.push_back(std::move(layer));
+    for (plugins::ImageLayer& layer : aovLayers(renderer, aovs, part))
+      extras.layers.push_back(std::move(layer));
   saveStill(host, renderer, origin, options.outputs, prepared.exporterParameters, extras);
   warnOfFaults(result.stats);
   if (partial) warn("interrupted; what was finished is saved");
@@ -139,13 +141,11 @@ void addSamplingOptions(CLI::App& command, RenderOptions& o) {
                   "Stop at rel=1% (relative RMSE) or time=30s; repeatable, the first that is met ends it "
                   "(default rel=1%)")
       ->allow_extra_args(false);
-  auto* samples = command.add_option("--samples", o.samples,
-                                     "Only the sample indices A:B: a part for steradian merge (.exr)");
-  command
-      .add_option("--aov", o.aov,
-                  "Further layers of the .exr, by commas: albedo, normal, depth, id, coverage, samples, "
-                  "variance, or all")
-      ->excludes(samples);
+  command.add_option("--samples", o.samples,
+                     "Only the sample indices A:B: a part for steradian merge (.exr)");
+  command.add_option("--aov", o.aov,
+                     "Further layers of the .exr, by commas: albedo, normal, depth, id, coverage, samples, "
+                     "variance, or all");
   command.add_flag("--no-meter", o.noMeter, "One joint sample sequence: less noise, no error figure");
   command.add_flag("--generic", o.generic, "Keep the generic pipeline, do not specialize it to the scene");
 }

@@ -8,6 +8,7 @@
 #include "editor/assets.hpp"
 #include "editor/cli/arguments.hpp"
 #include "editor/cli/console.hpp"
+#include "editor/first_view.hpp"
 #include "renderer/scene/validate.hpp"
 
 namespace steradian::cli {
@@ -48,6 +49,12 @@ void applyParameters(PreparedScene& prepared, const plugins::PluginHost& host, c
   }
 }
 
+/// Projects are rendered as they are; models may lack camera and light.
+bool isProject(const std::filesystem::path& input) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(input, ignored) || input.extension() == ".srad";
+}
+
 void checkOverrides(const Scene& scene) {
   const auto problems = problemsOf(scene);
   if (!problems.empty()) throw Error(ExitCode::usage, problems[0].where + " " + problems[0].what);
@@ -67,6 +74,12 @@ PreparedScene prepareScene(const plugins::PluginHost& host, const RenderOptions&
   if (options.frame) scene = evaluatedAt(scene, double(*options.frame) / scene.animation.framesPerSecond);
   if (options.time) scene = evaluatedAt(scene, *options.time);
   applyRenderOverrides(scene, options);
+  if (!isProject(options.input)) {
+    FirstView first = withFirstView(std::move(scene));
+    scene = std::move(first.scene);
+    if (!first.added.empty())
+      note(options.input.string() + ": has none of its own, so it is rendered with " + first.added);
+  }
   if (!options.tonemapper.empty()) {
     const plugins::Contribution* tonemapper = host.tonemapper(options.tonemapper);
     scene.display.tonemapper = tonemapper ? tonemapper->id : options.tonemapper;

@@ -84,6 +84,12 @@ std::uint64_t countOf(const PartOrigin& origin, int half) {
   return samplesOfHalf(origin.begin, origin.end, half, origin.errorMeter);
 }
 
+void addMissing(std::vector<plugins::ImageLayer>& layers, const std::vector<plugins::ImageLayer>& more) {
+  for (const plugins::ImageLayer& layer : more)
+    if (std::ranges::find(layers, layer.name, &plugins::ImageLayer::name) == layers.end())
+      layers.push_back(layer);
+}
+
 void addTerms(ExactSum& sum, const std::vector<Image>& terms, std::size_t at) {
   for (const Image& term : terms) sum.add(term.pixels[at]);
 }
@@ -96,7 +102,7 @@ Part partOf(const FilmSums& sums, PartOrigin origin) {
   origin.begin = sums.begin;
   origin.end = sums.end;
   origin.errorMeter = sums.errorMeter;
-  Part part{std::move(origin), sums.sum[0].width, sums.sum[0].height, {}};
+  Part part{std::move(origin), sums.sum[0].width, sums.sum[0].height, {}, {}};
   for (int half = 0; half < (sums.errorMeter ? 2 : 1); ++half) {
     const auto& sum = sums.sum[half].pixels;
     const auto& carry = sums.carry[half].pixels;
@@ -123,7 +129,8 @@ Part merged(std::vector<Part> parts, std::vector<std::string> names) {
     checkAdjacent(parts[order[i - 1]], parts[order[i]], names[order[i - 1]], names[order[i]]);
   }
   const Part& first = parts[order.front()];
-  Part out{first.origin, first.width, first.height, {}};
+  Part out{first.origin, first.width, first.height, {}, {}};
+  for (const std::size_t i : order) addMissing(out.layers, parts[i].layers);
   out.origin.end = parts[order.back()].origin.end;
   out.origin.nan = 0;
   for (const Part& part : parts) {

@@ -65,6 +65,34 @@ PartOrigin originOf(const Fields& fields) {
   return origin;
 }
 
+/// Some channels of an image.
+Image channelsOf(const Image& pixels, const std::vector<std::size_t>& channels) {
+  const std::size_t count = std::size_t(pixels.width) * pixels.height, wanted = channels.size();
+  Image out{pixels.width, pixels.height, int(wanted), std::vector<float>(count * wanted)};
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < wanted; ++c)
+      out.pixels[i * wanted + c] = pixels.pixels[i * std::size_t(pixels.channels) + channels[c]];
+  return out;
+}
+
+/// The layers that hold neither the picture nor its sums, by name.
+std::vector<plugins::ImageLayer> otherLayers(const Image& pixels,
+                                             const std::vector<std::string>& channelNames) {
+  std::map<std::string, std::vector<std::size_t>> channels;
+  for (std::size_t i = 0; i < channelNames.size(); ++i) {
+    const std::string layer = channelNames[i].substr(0, channelNames[i].rfind('.'));
+    if (layer != channelNames[i] && !layer.starts_with("sumA.") && !layer.starts_with("sumB."))
+      channels[layer].push_back(i);
+  }
+  std::vector<plugins::ImageLayer> layers;
+  for (const auto& [name, from] : channels) {
+    layers.push_back({name, channelsOf(pixels, from), {}});
+    for (const std::size_t i : from)
+      layers.back().channelNames.push_back(channelNames[i].substr(name.size() + 1));
+  }
+  return layers;
+}
+
 }  // namespace
 
 std::vector<plugins::ImageLayer> layersOf(const Part& part) {
@@ -72,6 +100,7 @@ std::vector<plugins::ImageLayer> layersOf(const Part& part) {
   for (int half = 0; half < 2; ++half)
     for (std::size_t k = 0; k < part.terms[half].size(); ++k)
       layers.push_back({layerName(half, k), part.terms[half][k], {kRgb, kRgb + 3}});
+  layers.insert(layers.end(), part.layers.begin(), part.layers.end());
   return layers;
 }
 
@@ -95,22 +124,17 @@ std::map<std::string, std::string> partMetadata(const PartOrigin& origin) {
 Part readPart(const std::string& file, const Image& pixels, const std::vector<std::string>& channelNames,
               const std::map<std::string, std::string>& metadata) {
   const Fields fields(file, metadata);
-  Part part{originOf(fields), pixels.width, pixels.height, {}};
-  const std::size_t count = std::size_t(pixels.width) * pixels.height;
+  Part part{originOf(fields), pixels.width, pixels.height, {}, otherLayers(pixels, channelNames)};
   const auto channel = [&](const std::string& name) {
     return std::size_t(std::find(channelNames.begin(), channelNames.end(), name) - channelNames.begin());
   };
   for (int half = 0; half < (part.origin.errorMeter ? 2 : 1); ++half)
     for (std::size_t k = 0; channel(layerName(half, k) + ".R") < channelNames.size(); ++k) {
-      Image term{pixels.width, pixels.height, 3, std::vector<float>(count * 3)};
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t from = channel(layerName(half, k) + "." + kRgb[c]);
-        if (from >= channelNames.size())
-          fields.notAPart("the layer " + layerName(half, k) + " lacks a channel");
-        for (std::size_t i = 0; i < count; ++i)
-          term.pixels[i * 3 + c] = pixels.pixels[i * std::size_t(pixels.channels) + from];
-      }
-      part.terms[half].push_back(std::move(term));
+      std::vector<std::size_t> from;
+      for (const char* name : kRgb) from.push_back(channel(layerName(half, k) + "." + name));
+      if (*std::ranges::max_element(from) >= channelNames.size())
+        fields.notAPart("the layer " + layerName(half, k) + " lacks a channel");
+      part.terms[half].push_back(channelsOf(pixels, from));
     }
   for (int half = 0; half < (part.origin.errorMeter ? 2 : 1); ++half)
     if (part.terms[half].empty()) fields.notAPart("it lacks the layer " + layerName(half, 0));

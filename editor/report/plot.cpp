@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/cli/console.hpp"
 #include "editor/report/plot_axis.hpp"
 #include "editor/report/report.hpp"
 
@@ -56,13 +57,13 @@ std::string escaped(const std::string& text) {
 }
 
 std::string words(double x, double y, const char* style, const char* anchor, const std::string& text) {
-  return printed("<text x=\"%.1f\" y=\"%.1f\" class=\"%s\" text-anchor=\"%s\">", x, y, style, anchor) +
+  return cli::text("<text x=\"%.1f\" y=\"%.1f\" class=\"%s\" text-anchor=\"%s\">", x, y, style, anchor) +
          escaped(text) + "</text>\n";
 }
 
 std::string segment(const char* style, double x1, double y1, double x2, double y2) {
-  return printed("<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", style, x1, y1, x2,
-                 y2);
+  return cli::text("<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", style, x1, y1,
+                   x2, y2);
 }
 
 struct Axes {
@@ -114,11 +115,11 @@ std::string guideOf(const Axes& axes, const SceneReport& scene) {
   const double px = axes.x(x1), py = axes.y(y1);
   const double slope = (py - axes.y(y0)) / (px - axes.x(x0));
   const double atX = axes.x(x0) + 0.55 * (px - axes.x(x0)), atY = axes.y(y0) + 0.55 * (py - axes.y(y0));
-  return printed(
+  return cli::text(
              "<line class=\"guide\" stroke-dasharray=\"5 5\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" "
              "y2=\"%.1f\"/>\n",
              axes.x(x0), axes.y(y0), px, py) +
-         printed(
+         cli::text(
              "<text class=\"soft small halo\" text-anchor=\"middle\" transform=\"translate(%.1f %.1f) "
              "rotate(%.1f)\">",
              atX, atY - 7, std::atan(slope) * 57.29578) +
@@ -132,10 +133,10 @@ std::string bandOf(const Axes& axes, const Curve& curve) {
     if (!drawable(p)) continue;
     const double x = axes.x(p.seconds.median);
     const auto y = [&](double error) { return std::clamp(axes.y(std::max(error, 1e-300)), kTop, kBottom); };
-    upper += printed("%.1f,%.1f ", x, y(p.relRmse.most));
-    lower = printed("%.1f,%.1f ", x, y(p.relRmse.least)) + lower;
+    upper += cli::text("%.1f,%.1f ", x, y(p.relRmse.most));
+    lower = cli::text("%.1f,%.1f ", x, y(p.relRmse.least)) + lower;
   }
-  return printed("<polygon fill=\"%s\" opacity=\"0.14\" points=\"", colourOf(0)) + upper + lower + "\"/>\n";
+  return cli::text("<polygon fill=\"%s\" opacity=\"0.14\" points=\"", colourOf(0)) + upper + lower + "\"/>\n";
 }
 
 std::string curveLine(const Axes& axes, const Curve& curve, std::size_t index) {
@@ -144,13 +145,13 @@ std::string curveLine(const Axes& axes, const Curve& curve, std::size_t index) {
   for (const CurvePoint& p : curve.points) {
     if (!drawable(p)) continue;
     const double x = axes.x(p.seconds.median), y = axes.y(p.relRmse.median);
-    path += printed("%.1f,%.1f ", x, y);
-    dots += printed("<circle class=\"dot\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\"><title>", x, y,
-                    index == 0 ? "4" : "3.2", colour) +
-            printed("%llu samples, ", (unsigned long long)(p.samples)) + shortDuration(p.seconds.median) +
-            printed(", %.3g %%</title></circle>\n", p.relRmse.median * 100.0);
+    path += cli::text("%.1f,%.1f ", x, y);
+    dots += cli::text("<circle class=\"dot\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\"><title>", x, y,
+                      index == 0 ? "4" : "3.2", colour) +
+            cli::text("%llu samples, ", (unsigned long long)(p.samples)) + shortDuration(p.seconds.median) +
+            cli::text(", %.3g %%</title></circle>\n", p.relRmse.median * 100.0);
   }
-  return printed(
+  return cli::text(
              "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-linejoin=\"round\" "
              "stroke-dasharray=\"%s\" points=\"",
              colour, index == 0 ? "2.6" : "1.8", dashesOf(index)) +
@@ -190,11 +191,11 @@ std::string labelsOf(const Axes& axes, const SceneReport& scene) {
     const End& end = ends[k];
     const char* colour = colourOf(end.curve);
     out +=
-        printed(
+        cli::text(
             "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1\" opacity=\"0.55\" d=\"M%.1f %.1f L%.1f "
             "%.1f L%.1f %.1f\"/>\n",
             colour, end.x + 5, end.y, kLabelX - 18, placed[k], kLabelX - 12, placed[k]) +
-        printed("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", kLabelX - 8, placed[k], colour) +
+        cli::text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", kLabelX - 8, placed[k], colour) +
         words(kLabelX + 2, placed[k] + 4.5, end.curve == 0 ? "ink first" : "ink", "start",
               scene.curves[end.curve].label);
   }
@@ -205,25 +206,25 @@ std::string labelsOf(const Axes& axes, const SceneReport& scene) {
 
 std::string svgOf(const Report& report, const SceneReport& scene) {
   const Axes axes = axesOf(scene);
-  std::string out = printed(
+  std::string out = cli::text(
                         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" "
                         "height=\"%g\" role=\"img\">\n",
                         kWidth, kHeight, kWidth, kHeight) +
                     "<title>" + escaped(scene.name) + ": error against time</title>\n" + kStyle;
-  out += printed("<rect class=\"card\" width=\"%g\" height=\"%g\" rx=\"8\"/>\n", kWidth, kHeight);
+  out += cli::text("<rect class=\"card\" width=\"%g\" height=\"%g\" rx=\"8\"/>\n", kWidth, kHeight);
   out += words(24, 34, "ink title", "start", scene.name + ": error against time");
   out += words(24, 56, "soft small", "start",
                report.device.name +
-                   printed(", %dx%d, 1 to %llu samples, median of %d runs, reference of %llu samples",
-                           scene.film.width, scene.film.height, (unsigned long long)(mostSamples(scene)),
-                           scene.runs, (unsigned long long)(scene.referenceSamples)));
+                   cli::text(", %dx%d, 1 to %llu samples, median of %d runs, reference of %llu samples",
+                             scene.film.width, scene.film.height, (unsigned long long)(mostSamples(scene)),
+                             scene.runs, (unsigned long long)(scene.referenceSamples)));
   out += gridOf(axes) + guideOf(axes, scene);
   if (!scene.curves.empty()) out += bandOf(axes, scene.curves[0]);
   for (std::size_t i = scene.curves.size(); i-- > 0;) out += curveLine(axes, scene.curves[i], i);
   out += labelsOf(axes, scene);
   out += words(0.5 * (kLeft + kRight), kBottom + 46, "ink", "middle", "time of tracing");
-  out += printed("<text class=\"ink\" text-anchor=\"middle\" transform=\"translate(22 %.1f) rotate(-90)\">",
-                 0.5 * (kTop + kBottom)) +
+  out += cli::text("<text class=\"ink\" text-anchor=\"middle\" transform=\"translate(22 %.1f) rotate(-90)\">",
+                   0.5 * (kTop + kBottom)) +
          "relative RMSE</text>\n</svg>\n";
   return out;
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "editor/cli/console.hpp"
 
 namespace steradian::report {
 
@@ -71,23 +71,12 @@ Curve curveOf(std::string id, std::string label, const std::vector<std::vector<S
   return curve;
 }
 
-std::string printed(const char* format, ...) {
-  va_list arguments, again;
-  va_start(arguments, format);
-  va_copy(again, arguments);
-  std::string out(std::size_t(std::max(0, std::vsnprintf(nullptr, 0, format, arguments))), '\0');
-  std::vsnprintf(out.data(), out.size() + 1, format, again);
-  va_end(again);
-  va_end(arguments);
-  return out;
-}
-
 std::string shortDuration(double seconds) {
-  if (seconds < 1.0) return printed("%.3g ms", seconds * 1e3);
-  if (seconds < 99.5) return printed("%.3g s", seconds);
+  if (seconds < 1.0) return cli::text("%.3g ms", seconds * 1e3);
+  if (seconds < 99.5) return cli::text("%.3g s", seconds);
   const int whole = int(seconds + 0.5);
-  if (whole < 3600) return printed("%d min %02d s", whole / 60, whole % 60);
-  return printed("%.3g h", seconds / 3600.0);
+  if (whole < 3600) return cli::text("%d min %02d s", whole / 60, whole % 60);
+  return cli::text("%.3g h", seconds / 3600.0);
 }
 
 }  // namespace steradian::report

@@ -64,9 +64,6 @@ std::string markdownOf(const Report& report, const std::vector<std::string>& plo
 /// Relative RMSE against seconds, both in logarithms: a line for each curve, its name at its end.
 std::string svgOf(const Report& report, const SceneReport& scene);
 
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
-
 /// "12 ms", "3.4 s", "2 min 05 s", for people.
 std::string shortDuration(double seconds);
 

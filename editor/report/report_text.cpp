@@ -2,6 +2,7 @@
 // The report as JSON for programs and as Markdown for people.
 #include <nlohmann/json.hpp>
 
+#include "editor/cli/console.hpp"
 #include "editor/report/report.hpp"
 
 namespace steradian::report {
@@ -56,7 +57,7 @@ Json jsonOf(const SceneReport& scene) {
 }
 
 std::string slopeText(const std::optional<PowerLaw>& law) {
-  return law ? printed("%.2f", law->exponent) : "-";
+  return law ? cli::text("%.2f", law->exponent) : "-";
 }
 
 std::string targetText(const Curve& curve) {
@@ -68,14 +69,14 @@ std::string targetText(const Curve& curve) {
 
 std::string rowOf(const Curve& curve) {
   const CurvePoint& last = curve.points.back();
-  return "| " + curve.label + printed(" | %llu | ", (unsigned long long)(last.samples)) +
+  return "| " + curve.label + cli::text(" | %llu | ", (unsigned long long)(last.samples)) +
          shortDuration(last.seconds.median) +
-         printed(" | %.3g %% | %.3g | %.3g | %.3g | ", last.relRmse.median * 100.0, last.rmse.median,
-                 last.relRmse.median * last.relRmse.median, last.smapeDisplay.median) +
+         cli::text(" | %.3g %% | %.3g | %.3g | %.3g | ", last.relRmse.median * 100.0, last.rmse.median,
+                   last.relRmse.median * last.relRmse.median, last.smapeDisplay.median) +
          slopeText(curve.relRmseOverSamples) + " | " + targetText(curve) +
-         printed(" | %.3g | ", curve.efficiency) +
-         (last.meterRatio > 0.0 ? printed("%.2f", last.meterRatio) : "-") +
-         printed(" | %llu |\n", (unsigned long long)(curve.nan));
+         cli::text(" | %.3g | ", curve.efficiency) +
+         (last.meterRatio > 0.0 ? cli::text("%.2f", last.meterRatio) : "-") +
+         cli::text(" | %llu |\n", (unsigned long long)(curve.nan));
 }
 
 constexpr const char* kHead =
@@ -109,9 +110,9 @@ std::string markdownOf(const Report& report, const std::vector<std::string>& plo
   for (std::size_t i = 0; i < report.scenes.size(); ++i) {
     const SceneReport& scene = report.scenes[i];
     out += "\n## " + scene.name + "\n\n![Error against time](" + plotNames[i] + ")\n\n" +
-           printed("%dx%d, %d runs, reference %llu samples (error %.2g %%)\n\n", scene.film.width,
-                   scene.film.height, scene.runs, (unsigned long long)(scene.referenceSamples),
-                   scene.referenceRelRmse * 100.0) +
+           cli::text("%dx%d, %d runs, reference %llu samples (error %.2g %%)\n\n", scene.film.width,
+                     scene.film.height, scene.runs, (unsigned long long)(scene.referenceSamples),
+                     scene.referenceRelRmse * 100.0) +
            kHead;
     for (const Curve& curve : scene.curves) out += rowOf(curve);
   }

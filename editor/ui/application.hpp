@@ -57,6 +57,7 @@ class Application {
   void carryOutRequests();
   void carryOut(const Run& request);
   void carryOut(const OpenFile& request);
+  void carryOut(const ImportFiles& request);
   void carryOut(const AddObject& request);
   void carryOut(const Select& request);
   void carryOut(const LookThrough& request);
@@ -80,6 +81,7 @@ class Application {
   void saveAs();
   void openFile(const std::filesystem::path& path);
   void browseToOpen();
+  void importFile(const std::filesystem::path& path);
   void startExport(const StillSettings& settings);
   void saveScreenshot();
 

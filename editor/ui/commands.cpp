@@ -13,6 +13,8 @@ namespace {
 constexpr std::array kCommands = {
     CommandInfo{Command::newScene, "New", "An empty room with one light", {"N", true}},
     CommandInfo{Command::open, "Open...", "A project or anything an importer plugin reads", {"O", true}},
+    CommandInfo{
+        Command::import, "Import...", "Add a model to this scene, or an HDR or EXR as its sky", {"I", true}},
     CommandInfo{Command::save, "Save", "Replace the file as a whole, or not at all", {"S", true}},
     CommandInfo{Command::saveAs, "Save as...", "Save under another name", {"S", true, true}},
     CommandInfo{Command::exportStill, "Export still...", "Render an EXR or PNG file", {"E", true}},

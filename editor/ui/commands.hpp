@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "editor/edits.hpp"
 #include "renderer/scene/scene.hpp"
@@ -14,6 +15,7 @@ namespace steradian::ui {
 enum class Command {
   newScene,
   open,
+  import,
   save,
   saveAs,
   exportStill,
@@ -61,6 +63,9 @@ struct Run {
 struct OpenFile {
   std::filesystem::path path;
 };
+struct ImportFiles {
+  std::vector<std::filesystem::path> paths;  // into the open scene
+};
 struct AddObject {
   edits::Content content;  // at a size for a place one metre away; scaled to the view
 };
@@ -75,6 +80,6 @@ struct LookThrough {
 struct ChooseSky {
   Id light = Id::none;  // the environment light that gets an image
 };
-using Request = std::variant<Run, OpenFile, AddObject, Select, LookThrough, ChooseSky>;
+using Request = std::variant<Run, OpenFile, ImportFiles, AddObject, Select, LookThrough, ChooseSky>;
 
 }  // namespace steradian::ui

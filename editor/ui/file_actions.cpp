@@ -20,6 +20,10 @@ void Application::runFileCommand(Command command) {
     case Command::open:
       guarded([this] { browseToOpen(); });
       break;
+    case Command::import:
+      browse({"Import", "Import", false, files_.addExtensions()}, projectFolderOf(document_.path()),
+             [this](const fs::path& path) { importFile(path); });
+      break;
     case Command::save:
       save();
       break;
@@ -83,6 +87,23 @@ void Application::browseToOpen() {
 
 void Application::openFile(const fs::path& path) {
   if (std::optional<Document> opened = files_.load(path)) show(std::move(*opened));
+}
+
+void Application::carryOut(const ImportFiles& request) {
+  for (const fs::path& path : request.paths) importFile(path);
+}
+
+void Application::importFile(const fs::path& path) {
+  if (files_.isSky(path)) {
+    if (std::optional<Scene> next = files_.withSky(document_, skyOf(document_.committed()), path))
+      edit(std::move(*next), "Choose sky");
+    return;
+  }
+  std::optional<edits::Merged> merged = files_.import(document_, path);
+  if (!merged) return;
+  edit(std::move(merged->scene), "Import " + path.filename().string());
+  document_.selectOnly(merged->group);
+  frameObjects(&merged->objects);
 }
 
 void Application::carryOut(const ChooseSky& request) {

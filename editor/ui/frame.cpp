@@ -38,7 +38,10 @@ double Application::waitSeconds() const {
 void Application::takeWindowEvents() {
   const std::vector<std::filesystem::path> dropped = window_.takeDropped();
   Ui ui{window_.scale().units, labels_, requests_};
-  if (!dropped.empty()) ui.ask(OpenFile{dropped.front()});
+  if (!dropped.empty() && files_.isProject(dropped.front()))
+    ui.ask(OpenFile{dropped.front()});
+  else if (!dropped.empty())
+    ui.ask(ImportFiles{dropped});
   if (window_.takeCloseRequest()) ui.ask(Command::quit);
   imgui_.setScale(window_.scale());
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ui/furnace_view.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <imgui.h>
@@ -23,12 +25,17 @@ struct Plot {
   }
 };
 
+bool isGrey(const std::vector<glm::vec3>& curve) {
+  return std::ranges::all_of(
+      curve, [](const glm::vec3& a) { return std::abs(a.x - a.y) < 0.005f && std::abs(a.x - a.z) < 0.005f; });
+}
+
 void drawCurve(ImDrawList& draw, const Plot& plot, const std::vector<glm::vec3>& curve, int channel,
-               float width) {
+               ImU32 color, float width) {
   std::vector<ImVec2> line;
   for (std::size_t i = 0; i < curve.size(); ++i)
     line.push_back(plot.at(double(i) / double(curve.size() - 1), double(curve[i][channel])));
-  draw.AddPolyline(line.data(), int(line.size()), lineColors[std::size_t(channel)], 0, width);
+  draw.AddPolyline(line.data(), int(line.size()), color, 0, width);
 }
 
 }  // namespace
@@ -47,9 +54,14 @@ void furnaceView(Ui& ui, const Material& material, bool compensated) {
   for (const double albedo : {0.0, 0.5, 1.0}) draw.AddLine(plot.at(0, albedo), plot.at(1, albedo), grid);
   draw.AddLine(plot.at(material.roughness, 0), plot.at(material.roughness, 1),
                ImGui::GetColorU32(ImGuiCol_TextDisabled));
-  for (int channel = 0; channel < 3; ++channel) drawCurve(draw, plot, curve, channel, ui.px(2));
+  if (isGrey(curve))
+    drawCurve(draw, plot, curve, 0, ImGui::GetColorU32(ImGuiCol_Text), ui.px(2));
+  else
+    for (int channel = 0; channel < 3; ++channel)
+      drawCurve(draw, plot, curve, channel, lineColors[std::size_t(channel)], ui.px(2));
   ImGui::Dummy(size);
   ui.mark("material/Furnace");
+  if (!ImGui::IsItemHovered()) return;
   tooltip(
       "White furnace: the share of even light that this surface gives back (0 to 1), against roughness "
       "(0 to 1). The upright line is its own roughness. Without energy compensation rough metal darkens.");

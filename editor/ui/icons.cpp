@@ -68,6 +68,10 @@ void draw(const Pen& pen, const Cylinder&) {
   pen.line(-0.7f, -0.6f, -0.7f, 0.6f);
   pen.line(0.7f, -0.6f, 0.7f, 0.6f);
 }
+void draw(const Pen& pen, const MeshShape&) {
+  pen.outline({{0, -0.9f}, {0.9f, 0.65f}, {-0.9f, 0.65f}});
+  pen.outline({{0, 0.65f}, {0.45f, -0.12f}, {-0.45f, -0.12f}});
+}
 void draw(const Pen& pen, const PointLight&) {
   pen.circle(0, 0, 0.38f);
   for (int i = 0; i < 8; ++i) {

@@ -101,7 +101,7 @@ void metalFields(Ui& ui, Fields& fields, Material& m) {
         m = madeOf(metal, m);
         chosen = true;
       }
-      tooltip(metal.source);
+      if (ImGui::IsItemHovered()) tooltip(metal.source);
     }
     ImGui::EndCombo();
   }
@@ -186,7 +186,9 @@ std::optional<Edit> inspectMaterial(Ui& ui, const InspectorInput& input, const O
   transmissionFields(fields, next);
   clearcoatFields(fields, next);
   emissionFields(fields, next);
-  if (ImGui::TreeNode("Furnace")) {
+  const bool furnace = ImGui::TreeNode("Furnace");
+  ui.mark("material/Furnace view");
+  if (furnace) {
     furnaceView(ui, next, input.scene.render.energyCompensation);
     ImGui::TreePop();
   }

@@ -82,6 +82,11 @@ struct ShapeFields {
     const bool radius = fields.number(length("Radius", "Radius of the cylinder.", 1), c.radius);
     return fields.number(length("Height", "Length along the object's Y axis.", 2), c.height) || radius;
   }
+  bool operator()(MeshShape& s) {
+    fields.note("Triangles", std::to_string(s.mesh->triangles.size()), "Objects may share one mesh.");
+    fields.note("Vertices", std::to_string(s.mesh->positions.size()));
+    return false;
+  }
 };
 
 }  // namespace

@@ -35,6 +35,7 @@ void fileMenu(Ui& ui, const MenuInput& input) {
     }
     ImGui::EndMenu();
   }
+  item(ui, "File", Command::import);
   ImGui::Separator();
   item(ui, "File", Command::save);
   item(ui, "File", Command::saveAs);

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The editor's own eye: orbits a pivot, in double so that scenes far from the origin work.
 #pragma once
-#include <optional>
-#include <set>
-
 #include <glm/glm.hpp>
 
+#include "editor/bounds.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace steradian::ui {
-
-/// An axis-aligned box in the world, metres.
-struct Bounds {
-  glm::dvec3 min{0.0}, max{0.0};
-  glm::dvec3 center() const { return 0.5 * (min + max); }
-  double radius() const { return 0.5 * glm::length(max - min); }
-};
-
-/// Of the visible, finite parts of the objects (all when `objects` is null); nullopt when there is none.
-/// Lights without a size and cameras count as points; a sky is everywhere.
-std::optional<Bounds> boundsOf(const Scene& scene, const std::set<Id>* objects = nullptr);
 
 class OrbitView {
  public:

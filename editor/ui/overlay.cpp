@@ -34,14 +34,15 @@ class Wire {
     }
     line({0, 0, 0}, {0, 0.8, 0});
   }
-  void operator()(const Box& box) const {
-    const glm::dvec3 h = 0.5 * box.size;
-    for (const double a : {-1.0, 1.0})
-      for (const double b : {-1.0, 1.0}) {
-        line({-h.x, a * h.y, b * h.z}, {h.x, a * h.y, b * h.z});
-        line({a * h.x, -h.y, b * h.z}, {a * h.x, h.y, b * h.z});
-        line({a * h.x, b * h.y, -h.z}, {a * h.x, b * h.y, h.z});
-      }
+  void operator()(const Box& box) const { edges(-0.5 * box.size, 0.5 * box.size); }
+  void operator()(const MeshShape& s) const { edges(s.mesh->boxMin, s.mesh->boxMax); }
+  void edges(const glm::dvec3& low, const glm::dvec3& high) const {
+    for (const double y : {low.y, high.y})
+      for (const double z : {low.z, high.z}) line({low.x, y, z}, {high.x, y, z});
+    for (const double x : {low.x, high.x}) {
+      for (const double z : {low.z, high.z}) line({x, low.y, z}, {x, high.y, z});
+      for (const double y : {low.y, high.y}) line({x, y, low.z}, {x, y, high.z});
+    }
   }
   void operator()(const Rect& rect) const {
     const glm::dvec2 h = 0.5 * rect.size;

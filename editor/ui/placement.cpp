@@ -26,6 +26,7 @@ struct Fit {
   glm::dvec3 normal;  // unit
   double operator()(Sphere& s) const { return s.radius = size; }
   double operator()(Plane&) const { return 0.0; }
+  double operator()(MeshShape&) const { return 0.0; }
   double operator()(Box& b) const {
     b.size = glm::dvec3(2.0 * size);
     return size * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));

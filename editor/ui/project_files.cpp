@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "editor/edits.hpp"
+#include "editor/first_view.hpp"
 
 namespace steradian::ui {
 
@@ -46,18 +47,44 @@ std::vector<std::string> ProjectFiles::saveExtensions() const {
   return extensionsOf(plugins_, plugins::Kind::exporter, true);
 }
 
+std::vector<std::string> ProjectFiles::addExtensions() const {
+  std::vector<std::string> all = importExtensions();
+  all.insert(all.end(), {".hdr", ".exr"});
+  return all;
+}
+
+bool ProjectFiles::isProject(const fs::path& path) const {
+  return fileIn(path).extension() == ".srad";
+}
+
+bool ProjectFiles::isSky(const fs::path& path) const {
+  const std::string extension = path.extension();
+  return extension == ".hdr" || extension == ".exr";
+}
+
+Scene ProjectFiles::read(const fs::path& path) {
+  const plugins::Progress progress{{}, {}, [this](const std::string& line) { messages_.note(line); }};
+  plugins::ImportResult result = plugins_.importScene(path, progress);
+  for (const plugins::ImportReport::Line& line : result.report.notKept)
+    messages_.warning(path.filename().string() + ": " + line.what + ": " + line.why);
+  for (const AssetProblem& problem : assets_.load(result.scene, path.parent_path()))
+    problem.missing ? messages_.error(problem.message + "; until then the sky shows its gradient alone.")
+                    : messages_.warning(problem.message);
+  return std::move(result.scene);
+}
+
 std::optional<Document> ProjectFiles::load(const fs::path& given) {
   try {
     const fs::path path = fs::absolute(fileIn(given)).lexically_normal();
-    const plugins::Progress progress{{}, {}, [this](const std::string& line) { messages_.note(line); }};
-    plugins::ImportResult result = plugins_.importScene(path, progress);
-    for (const plugins::ImportReport::Line& line : result.report.notKept)
-      messages_.warning(path.filename().string() + ": " + line.what + " was not kept: " + line.why);
-    loadAssets(result.scene, path.parent_path());
+    Scene scene = read(path);
     recent_.add(path);
     messages_.note("Opened " + path.string() + ".");
-    if (plugins_.exporterFor(path, false)) return Document(std::move(result.scene), path);
-    Document imported(std::move(result.scene));  // what cannot be written back is a new project
+    if (isProject(path)) return Document(std::move(scene), path);
+    FirstView first = withFirstView(std::move(scene));
+    if (!first.added.empty())
+      messages_.note(path.filename().string() + " has none of its own: added " + first.added + ".");
+    // What cannot be written back is a new project.
+    Document imported(withAssetsNamedFrom(std::move(first.scene), path.parent_path(), {}));
     imported.markUnsaved();
     return imported;
   } catch (const std::exception& error) {
@@ -67,20 +94,44 @@ std::optional<Document> ProjectFiles::load(const fs::path& given) {
   }
 }
 
-void ProjectFiles::loadAssets(Scene& scene, const fs::path& folder) {
-  for (const AssetProblem& problem : assets_.load(scene, folder))
-    problem.missing ? messages_.error(problem.message + "; until then the sky shows its gradient alone.")
-                    : messages_.warning(problem.message);
+std::optional<edits::Merged> ProjectFiles::import(const Document& document, const fs::path& given) {
+  try {
+    const fs::path path = fs::absolute(fileIn(given)).lexically_normal();
+    const Scene scene = withAssetsNamedFrom(read(path), path.parent_path(), projectFolderOf(document.path()));
+    edits::Merged merged = edits::merge(document.committed(), scene, path.stem().string());
+    messages_.note("Imported " + path.string() + ".");
+    return merged;
+  } catch (const std::exception& error) {
+    messages_.error(error.what());
+    return std::nullopt;
+  }
+}
+
+Id skyOf(const Scene& scene) {
+  const std::vector<bool> visible = hierarchyVisibility(scene);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Light* light = std::get_if<Light>(&scene.objects[i].content);
+    if (visible[i] && light && std::holds_alternative<EnvironmentLight>(light->kind))
+      return scene.objects[i].id;
+  }
+  return Id::none;
 }
 
 std::optional<Scene> ProjectFiles::withSky(const Document& document, Id light, const fs::path& image) {
-  const Object* object = find(document.committed(), light);
+  Scene scene = document.committed();
+  if (light == Id::none) {
+    edits::Added added =
+        edits::addLight(std::move(scene), Light{.kind = EnvironmentLight{}, .intensity = 1.0f});
+    scene = std::move(added.scene);
+    light = added.id;
+  }
+  const Object* object = find(scene, light);
   const Light* found = object ? std::get_if<Light>(&object->content) : nullptr;
   if (!found || !std::holds_alternative<EnvironmentLight>(found->kind)) return std::nullopt;
   const fs::path folder = projectFolderOf(document.path());
   Light next = *found;
   std::get<EnvironmentLight>(next.kind).file = assetName(image, folder);
-  Scene scene = edits::setContent(document.committed(), light, next);
+  scene = edits::setContent(std::move(scene), light, next);
   for (const AssetProblem& problem : assets_.load(scene, folder))
     problem.missing ? messages_.error(problem.message) : messages_.warning(problem.message);
   const Light& loaded = std::get<Light>(find(scene, light)->content);

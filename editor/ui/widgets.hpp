@@ -75,7 +75,7 @@ bool section(Ui& ui, const char* title, bool openAtFirst = true);
 bool button(Ui& ui, const char* text, std::string_view label, const char* help = nullptr, float width = 0.0f);
 /// A button that stands out: the action that the dialog is for.
 bool mainButton(Ui& ui, const char* text, std::string_view label, float width = 0.0f);
-/// For the last item; appears after a moment.
+/// At once and unconditionally: ask first whether the item is hovered.
 void tooltip(const char* text);
 void dimText(const std::string& text);
 
