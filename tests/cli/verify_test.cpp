@@ -8,7 +8,7 @@ using namespace process;
 
 TEST(Verify, projects_agree_in_float_and_double) {
   const Sandbox sandbox;
-  for (const char* name : {"thesis-room", "material-grid"}) {
+  for (const char* name : {"thesis-room", "material-grid", "cornell", "glass", "veach"}) {
     const Outcome outcome = sandbox.run(
         {"compare", "--verify-pixel", "4,4,11,9", project(name), "--size", "16x12", "--sample", "3"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;

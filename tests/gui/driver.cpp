@@ -115,6 +115,12 @@ void Driver::click(const std::string& label, double across) {
   pause(kHold);
 }
 
+void Driver::scrollDown(const std::string& label, int notches) {
+  pointAt(label, 0.1);
+  xdotool("click --repeat " + std::to_string(notches) + " --delay 60 5");
+  pause(300ms);
+}
+
 void Driver::doubleClick(const std::string& label) {
   pointAt(label, 0.5);
   xdotool("click --repeat 2 --delay 110 1");

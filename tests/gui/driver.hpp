@@ -27,6 +27,7 @@ class Driver {
   /// At a fraction of the widget's width, in its middle height.
   void click(const std::string& label, double across = 0.5);
   void doubleClick(const std::string& label);
+  void scrollDown(const std::string& label, int notches);
   void key(const std::string& keys);  // "ctrl+z"
   void type(const std::string& text);
 

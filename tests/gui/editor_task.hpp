@@ -67,6 +67,16 @@ class EditorTask : public testing::Test {
     editor.click("Rest after/16 samples");
   }
 
+  /// Leaves unsaved changes behind; the editor must end in peace.
+  void quitDiscarding(Driver& editor) {
+    editor.key("ctrl+q");
+    editor.click("dialog/Discard");
+    const std::optional<int> code = editor.awaitExit(20s);
+    ASSERT_TRUE(code.has_value()) << "the editor did not end";
+    EXPECT_EQ(*code, 0) << editor.output();
+    EXPECT_NE(editor.output().find("steradian: 0 validation messages"), std::string::npos) << editor.output();
+  }
+
   fs::path folder_;
   std::optional<Screen> screen_;
 };

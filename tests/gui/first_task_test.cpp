@@ -52,12 +52,7 @@ TEST_F(FirstTask, open_add_a_sphere_roughen_it_undo_export_and_quit) {
   EXPECT_EQ(std::string(signature + 1, 3), "PNG") << editor.output();
 
   // Quit: the sphere is unsaved, so the editor asks first
-  editor.key("ctrl+q");
-  editor.click("dialog/Discard");
-  const std::optional<int> code = editor.awaitExit(20s);
-  ASSERT_TRUE(code.has_value()) << "the editor did not end";
-  EXPECT_EQ(*code, 0) << editor.output();
-  EXPECT_NE(editor.output().find("steradian: 0 validation messages"), std::string::npos) << editor.output();
+  quitDiscarding(editor);
 }
 
 }  // namespace

@@ -41,12 +41,7 @@ TEST_F(LightsTask, add_a_panel_make_it_a_sky_and_choose_its_image) {
   editor.key("ctrl+z");
   EXPECT_LT(blockDifference(sky, restingPicture(editor)), 0.25 * blockDifference(sky, image));
 
-  editor.key("ctrl+q");
-  editor.click("dialog/Discard");
-  const std::optional<int> code = editor.awaitExit(20s);
-  ASSERT_TRUE(code.has_value()) << "the editor did not end";
-  EXPECT_EQ(*code, 0) << editor.output();
-  EXPECT_NE(editor.output().find("steradian: 0 validation messages"), std::string::npos) << editor.output();
+  quitDiscarding(editor);
 }
 
 }  // namespace

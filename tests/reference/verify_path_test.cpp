@@ -7,6 +7,7 @@
 #include "renderer/reference/judge.hpp"
 #include "tests/renderer/renderer_fixture.hpp"
 #include "tests/renderer/scenes.hpp"
+#include "tests/renderer/textures.hpp"
 
 namespace steradian::reference {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr Extent film{12, 8};
 constexpr PixelRect everyPixel{0, 0, 12, 8};
 // Rows of a record (shaders/path_record.glsl): the header's two, then the first vertex.
-constexpr std::size_t hitRow = 2 + 5, normalRow = 2 + 7, bsdfRow = 2 + 13 + 3;
+constexpr std::size_t hitRow = 2 + 6, normalRow = 2 + 8, bsdfRow = 2 + 14 + 3;
 
 class VerifiedPaths : public RendererTest {
  protected:
@@ -62,6 +63,50 @@ TEST_F(VerifiedPaths, float_and_double_agree_at_every_stage) {
   }
   EXPECT_GT(compared, 5000u);
   EXPECT_LE(otherWay, 4u);
+}
+
+// Smooth normals, tangents, textures of all kinds, colours and veils.
+Scene meshScene() {
+  Scene scene = scenes::plainScene(4);
+  Mesh ball = textures::smoothBall(2);
+  for (const glm::vec3& p : ball.positions) {
+    ball.uv0.emplace_back(2.0f * p.x, 2.0f * p.y);
+    ball.colors.emplace_back(0.9f, 0.8f + 0.1f * p.z, 1.0f, 0.9f);
+  }
+  Material m = scenes::plastic(0.6f, glm::vec3(0.9f));
+  const auto waves = textures::made(8, 8, textures::Format::rgba8, [](int x, int y) {
+    return glm::vec4(0.4f + 0.05f * float((x + y) % 3), 0.5f + 0.05f * float(y % 3), 0.9f,
+                     0.7f + 0.03f * float(x));
+  });
+  m.albedoTexture = m.normalTexture = m.metallicRoughnessTexture = textures::slot(waves, false);
+  m.alphaMode = AlphaMode::blend;
+  scenes::add(scene, scenes::at({-0.8, 1, -1}, {1, 1, 0}, 0.7), textures::shape(ball), m);
+  scenes::add(scene, scenes::at({1.0, 1, -0.5}, {1, 0, 1}, 0.4, {0.7, -1, 0.9}),
+              textures::shape(textures::smoothBall(3)), scenes::metal(0.3f, {0.9f, 0.8f, 0.6f}));
+  scenes::add(scene, scenes::at({0, 0, 0}), Plane{}, scenes::lambert(glm::vec3(0.5f)));
+  scenes::addLight(scene, scenes::at({0, 0, 0}), EnvironmentLight{}, 1.0f);
+  scenes::addLight(scene, scenes::at({1.5, 3.4, 2}), PointLight{}, 3.0f);
+  return scene;
+}
+
+TEST_F(VerifiedPaths, float_and_double_agree_on_textured_meshes) {
+  scene_ = meshScene();
+  traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
+  const Image picture = render(scene_, scenes::roomView(), film, 1);
+  Judge judge(traced_);
+  std::size_t compared = 0;
+  for (const PathRecord& path : record(1)) {
+    const std::size_t at = 3 * (std::size_t(path.y) * film.width + path.x);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(path.rows[1][c], picture.pixels[at + c], 1e-5f * std::fabs(picture.pixels[at + c]) + 1e-7f);
+    for (const Finding& f : judge.compare(path)) {
+      compared += 1;
+      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
+                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
+                              << " / " << f.reference;
+    }
+  }
+  EXPECT_GT(compared, 1000u);
 }
 
 TEST_F(VerifiedPaths, a_wrong_distance_is_named_intersection) {

@@ -12,7 +12,7 @@ namespace {
 using namespace scenes;
 
 constexpr Extent film{24, 24};
-constexpr int seeds = 6;
+constexpr int seeds = 12;
 
 Scene hardEdges() {
   Scene scene = plainScene(0);
@@ -44,7 +44,7 @@ class CalibrationTest : public RendererTest {
     c.scene.render.seed = 1000;
     renderer().setScene(c.scene, c.view, film);
     renderer().waitForSpecialization();
-    const Image image = render(c.scene, c.view, film, onCpu() ? 16'384 : 65'536);
+    const Image image = render(c.scene, c.view, film, onCpu() ? 4'096 : 65'536);
     return {image, std::pow(renderer().measureError().rmse, 2)};
   }
 

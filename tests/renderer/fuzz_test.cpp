@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random scenes up to the edges of what validation lets through: no NaN, no lost sample, no hang.
 #include <chrono>
+#include <cstdlib>
 #include <random>
 
 #include "renderer/scene/validate.hpp"
@@ -137,16 +138,18 @@ class SceneDice {
 
 class FuzzTest : public RendererTest {
  protected:
-  /// Scenes of sizes and distances 10^-decades to 10^decades: thousands, or as many as a slow machine does in
-  /// time.
+  /// Scenes of sizes and distances 10^-decades to 10^decades: as many as STERADIAN_FUZZ_SCENES asks for over
+  /// all three tests (10000 is what row 40 wants of a nightly run), or as many as ten seconds allow.
   void fuzz(double decades) {
-    constexpr int most = 1500;
+    const char* wanted = std::getenv("STERADIAN_FUZZ_SCENES");
+    const int most = wanted ? std::atoi(wanted) / 3 + 1 : 1500;
+    const double limit = wanted ? 1e9 : 10.0;
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     int count = 0, lit = 0;
-    for (; count < most && seconds() < 10.0; ++count) {
+    for (; count < most && seconds() < limit; ++count) {
       SceneDice dice(std::uint64_t(count) + std::uint64_t(decades * 1000) * 1'000'000, decades);
       const Scene scene = dice.scene();
       for (const Problem& p : problemsOf(scene)) ADD_FAILURE() << p.where << " " << p.what;

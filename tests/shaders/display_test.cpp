@@ -41,7 +41,7 @@ class DisplayPass : public ::testing::Test {
     display.setSettings(settings);
     gpu::RenderTarget target(*device_, extent);
     const auto pass = display.pipeline(target.renderPass());
-    const gpu::Bindings bindings(*device_, nullptr, storage);
+    const gpu::Bindings bindings(*device_, {}, storage);
     const Image image = target.render([&](const auto& cmd) {
       pass->draw(cmd, bindings, display.params(extent, target.rect()), target.rect());
     });

@@ -43,12 +43,17 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
   const gpu::Device& device = *device_;
   const gpu::Buffer scene = upload(device, task.scene, 1);
   const gpu::Buffer tables = upload(device, task.tables, 1);
+  gpu::Buffer texels;
+  if (!task.texels.empty()) {
+    texels = gpu::Buffer(device, gpu::BufferKind::texelWords, task.texels.size() * 4, "kernel texels");
+    texels.writeRows(0, std::span<const std::uint32_t>(task.texels));
+  }
   const gpu::Buffer in = upload(device, questions, padded * task.rowsIn);
   const gpu::Buffer out(device, gpu::BufferKind::deviceLocal, padded * task.rowsOut * sizeof(glm::vec4),
                         "kernel answers");
   const std::array<const gpu::Buffer*, gpu::storageBindings> storage = {nullptr, nullptr, nullptr, nullptr,
                                                                         nullptr, &in,     &out};
-  const gpu::Bindings bindings(device, &scene, storage, &tables);
+  const gpu::Bindings bindings(device, {&scene, &tables, nullptr, &texels}, storage);
   std::vector<std::byte> push = task.push;
   push.resize(gpu::pushConstantBytes);  // what a shader names must be set, used or not
   const gpu::Specialization operation{operationConstant, task.operation};

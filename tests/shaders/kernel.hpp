@@ -31,8 +31,9 @@ struct Task {
   std::size_t rowsOut = 1;      // per invocation
   std::size_t invocations = 0;  // 0 = as many as the questions need
   std::vector<std::byte> push = {};
-  Rows scene = {};   // binding 0
-  Rows tables = {};  // binding 8
+  Rows scene = {};                         // binding 0
+  Rows tables = {};                        // binding 8
+  std::vector<std::uint32_t> texels = {};  // binding 10
 };
 
 template <class Push>

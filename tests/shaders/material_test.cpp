@@ -65,6 +65,14 @@ TEST_F(Materials, row23_white_surfaces_lose_nothing_when_compensated) {
   expectNothingLost(furnace, [](const Task& t, const Rows& q) { return run(materialKernel, t, q); });
 }
 
+TEST_F(Materials, row23_nor_do_smooth_ones_between_the_nodes_of_the_table) {
+  Furnace furnace;
+  for (const float roughness : {0.034f, 0.048f, 0.07f, 0.11f, 0.23f})
+    furnace.materials.push_back(white(roughness, 1.0f));
+  furnace.cosines = {0.003, 0.006, 0.01, 0.017, 0.03, 0.06};
+  expectNothingLost(furnace, [](const Task& t, const Rows& q) { return run(materialKernel, t, q); });
+}
+
 TEST_F(Materials, row23_neither_do_coated_ones) {
   Furnace furnace;
   for (const float coatRoughness : {0.0f, 0.4f, 1.0f})

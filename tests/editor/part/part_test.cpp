@@ -74,6 +74,19 @@ TEST(Part, merges_to_the_same_value_in_any_order_and_grouping) {
   EXPECT_EQ(all.origin.end, 64u);
 }
 
+TEST(Part, keeps_each_layer_of_the_lowest_samples) {
+  const auto layer = [](const char* name, float value) {
+    return plugins::ImageLayer{
+        name, {kWidth, kHeight, 1, std::vector<float>(kWidth * kHeight, value)}, {"Z"}};
+  };
+  Part a = part(0, 8), b = part(8, 16), c = part(16, 24);
+  b.layers = {layer("depth", 2)};
+  c.layers = {layer("coverage", 3), layer("depth", 3)};
+  const Part all = merged({c, a, b}, {"c", "a", "b"});
+  EXPECT_EQ(all.layers, (std::vector{layer("depth", 2), layer("coverage", 3)}));
+  EXPECT_EQ(all, merged({a, merged({b, c}, {"b", "c"})}, {"a", "bc"}));
+}
+
 TEST(Part, is_the_mean_over_all_samples) {
   const FilmSums a = sumsOf(0, 5), b = sumsOf(5, 12);
   const Image mean = meanOf(merged({partOf(a, origin()), partOf(b, origin())}, {"a", "b"}));

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "renderer/gpu/barriers.hpp"
+#include "renderer/gpu/commands.hpp"
 #include "renderer/gpu/pass.hpp"
 #include "renderer/gpu/render_target.hpp"
 #include "renderer/scene/error.hpp"
@@ -44,7 +45,7 @@ class Adder : public testing::Test {
   std::vector<float> sumsOf(std::span<const Specialization> constants, Push push) {
     const ComputePass pass(*device_, add_comp, constants, "add");
     const Buffer* const storage[] = {&values_, &sums_};
-    const Bindings bindings(*device_, &rows_, storage);
+    const Bindings bindings(*device_, {&rows_}, storage);
     device_->run(QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
       pass.dispatch(cmd, bindings, push, (count + 63) / 64, 1);
     });
@@ -68,7 +69,7 @@ TEST_F(Adder, SpecializationConstantsGoByTheirIds) {
 
 TEST_F(Adder, UnusedBindingsNeedNoBuffer) {
   const ComputePass pass(*device_, add_comp, {}, "add");
-  const Bindings bindings(*device_, nullptr, {});
+  const Bindings bindings(*device_, {}, {});
   device_->run(QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
     pass.dispatch(cmd, bindings, Push{0.0f, 0}, 1, 1);
   });
@@ -79,7 +80,7 @@ TEST_F(Adder, ABarrierOrdersTwoDispatches) {
   const ComputePass pass(*device_, add_comp, {}, "add");
   const Buffer* const once[] = {&values_, &sums_};
   const Buffer* const again[] = {&sums_, &values_};
-  const Bindings first(*device_, &rows_, once), second(*device_, &rows_, again);
+  const Bindings first(*device_, {&rows_}, once), second(*device_, {&rows_}, again);
   device_->run(QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
     pass.dispatch(cmd, first, Push{0.0f, count}, 16, 1);
     computeToCompute(cmd);
@@ -90,6 +91,23 @@ TEST_F(Adder, ABarrierOrdersTwoDispatches) {
   EXPECT_EQ(validationMessages(*device_), 0);
 }
 
+TEST_F(Adder, WorkInFlightIsWaitedForAlsoWhenTheDeviceIsTakenForLost) {
+  const ComputePass pass(*device_, add_comp, {}, "add");
+  const Buffer* const storage[] = {&values_, &sums_};
+  const Bindings bindings(*device_, {&rows_}, storage);
+  {
+    Commands commands(*device_, QueueKind::compute);
+    commands.submit([&](const vk::raii::CommandBuffer& cmd) {
+      for (int i = 0; i < 5000; ++i) {
+        pass.dispatch(cmd, bindings, Push{float(i), count}, (count + 63) / 64, 1);
+        computeToCompute(cmd);
+      }
+    });
+    device_->markLost();
+  }
+  EXPECT_EQ(validationMessages(*device_), 0) << "freed while the device uses it";
+}
+
 class Picture : public testing::TestWithParam<Extent> {};
 
 TEST_P(Picture, ShowsTheQuadInsideTheRectangleOnly) {
@@ -98,7 +116,7 @@ TEST_P(Picture, ShowsTheQuadInsideTheRectangleOnly) {
   RenderTarget target(*device, extent);
   Buffer value(*device, BufferKind::deviceLocal, 256, "value");
   const Buffer* const storage[] = {&value};
-  const Bindings bindings(*device, nullptr, storage);
+  const Bindings bindings(*device, {}, storage);
   const GraphicsPass pass(*device, quad_vert, position_frag, target.renderPass(), {}, "position");
   device->run(QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
     cmd.fillBuffer(value.handle(), 0, VK_WHOLE_SIZE, std::bit_cast<std::uint32_t>(1234.5f));

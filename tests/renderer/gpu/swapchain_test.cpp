@@ -57,7 +57,7 @@ TEST_F(Window, ShowsWhatIsDrawnAndGreyElsewhere) {
   Buffer value(*device_, BufferKind::upload, 256, "value");
   value.writeRows<float>(0, std::array{1.0f});
   const Buffer* const storage[] = {&value};
-  const Bindings bindings(*device_, nullptr, storage);
+  const Bindings bindings(*device_, {}, storage);
   const GraphicsPass pass(*device_, quad_vert, position_frag, swapchain.renderPass(), {}, "position");
   for (int i = 0; i < 5; ++i) {
     const auto frame = swapchain.begin(framebuffer());

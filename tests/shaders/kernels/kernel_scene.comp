@@ -33,7 +33,7 @@ void main() {
   }
   Ray ray = Ray(questions[2u * at].xyz, questions[2u * at + 1u].xyz, NO_PRIMITIVE, false);
   Hit hit = closestHit(ray, INFINITE, l);
-  Surface surface = surfaceAt(ray, Hit(hit.t, min(hit.primitive, l.end - 1u)), l);
+  Surface surface = surfaceAt(ray, Hit(hit.t, min(hit.primitive, l.end - 1u), hit.triangle), l);
   bool inside = dot(surface.normal, ray.d) > 0.0;
   if (kOperation == 1u) {
     // The bounce: a cosine-distributed ray from the surface, which knows where it starts.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Files taken into the open document: everything of them, or one message and nothing.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "editor/ui/project_files.hpp"
+
+namespace steradian::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImportTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "steradian-test-XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder = pattern;
+    for (const char* place : {"XDG_CACHE_HOME", "XDG_STATE_HOME"}) setenv(place, folder.c_str(), 1);
+    std::ofstream(folder / "chair.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\no leg\nf 1 2 3\no seat\nf 3 2 1\n";
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  static Document opened() {
+    Scene scene;
+    scene.objects = {{.id = Id{1}, .name = "leg", .content = Geometry{Sphere{}}}};
+    scene.nextId = Id{2};
+    return Document(scene, {});
+  }
+  static const EnvironmentLight* skyIn(const Scene& scene) {
+    const Object* object = find(scene, skyOf(scene));
+    return object ? std::get_if<EnvironmentLight>(&std::get<Light>(object->content).kind) : nullptr;
+  }
+
+  fs::path folder;
+  static const plugins::PluginHost& host() {
+    static const plugins::PluginHost stock({STOCK_PLUGINS});
+    return stock;
+  }
+  Messages messages;
+  ProjectFiles files{host(), messages};
+};
+
+TEST_F(ImportTest, a_model_comes_under_one_group_named_after_its_file) {
+  const Document document = opened();
+  const auto merged = files.import(document, folder / "chair.obj");
+  ASSERT_TRUE(merged);
+  EXPECT_EQ(find(merged->scene, merged->group)->name, "chair");
+  EXPECT_EQ(merged->objects.size(), 2u);
+  EXPECT_EQ(merged->scene.objects.size(), 4u) << "no camera and no sky beside what is there";
+  EXPECT_TRUE(findByName(merged->scene, "leg.001"));
+  EXPECT_EQ(messages.errors(), 0);
+}
+
+TEST_F(ImportTest, a_file_that_cannot_be_read_is_one_message_and_no_change) {
+  std::ofstream(folder / "bad.obj") << "v 0 0 0\nf 1 2 3\n";
+  for (const char* name : {"bad.obj", "lost.obj", "lost.xyz"}) {
+    const int before = messages.errors();
+    EXPECT_FALSE(files.import(opened(), folder / name)) << name;
+    EXPECT_EQ(messages.errors(), before + 1) << name;
+  }
+}
+
+TEST_F(ImportTest, a_model_that_is_opened_is_seen_and_is_a_new_project) {
+  const auto document = files.load(folder / "chair.obj");
+  ASSERT_TRUE(document);
+  EXPECT_TRUE(document->unsaved());
+  EXPECT_TRUE(document->path().empty());
+  EXPECT_TRUE(skyIn(document->scene()));
+  EXPECT_EQ(document->scene().objects.size(), 4u);
+}
+
+TEST_F(ImportTest, an_imported_scene_keeps_its_files_by_name_from_where_it_is) {
+  fs::create_directories(folder / "lib");
+  std::ofstream(folder / "lib/lamp.srad")
+      << R"({"steradian": 2, "textures": [{"id": 1, "file": "t.png"}], "materials": [{"id": 1, "albedoTexture": {"texture": 1}}]})";
+  const Document document(Scene{}, folder / "room.srad");
+  const auto merged = files.import(document, folder / "lib/lamp.srad");
+  ASSERT_TRUE(merged);
+  EXPECT_EQ(merged->scene.materials.at(0).albedoTexture.texture->file, "lib/t.png");
+}
+
+TEST_F(ImportTest, a_sky_becomes_the_environment_light_or_a_new_one) {
+  std::ofstream(folder / "sky.hdr", std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n"
+                                                      << std::string("\x80\x80\x80\x81", 4);
+  EXPECT_TRUE(files.isSky(folder / "sky.hdr"));
+  const Document document = opened();
+  const auto first = files.withSky(document, skyOf(document.committed()), folder / "sky.hdr");
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(skyIn(*first) && skyIn(*first)->image);
+  EXPECT_EQ(first->objects.size(), 2u);
+  const Document again(*first, {});
+  const auto second = files.withSky(again, skyOf(*first), folder / "sky.hdr");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->objects.size(), 2u) << "the one that is there";
+  std::ofstream(folder / "bad.hdr") << "#?RADIANCE\n";
+  EXPECT_FALSE(files.withSky(document, Id::none, folder / "bad.hdr"));
+  EXPECT_EQ(messages.errors(), 1);
+}
+
+}  // namespace
+}  // namespace steradian::ui
