@@ -17,7 +17,7 @@ using namespace gpu;
 
 namespace {
 
-constexpr std::uint32_t groupSize = 8;                // local size of aov.comp in x and y
+constexpr std::uint32_t aovGroupSize = 8;             // local size of aov.comp in x and y
 constexpr std::uint32_t raysPerDispatch = 16;         // of one pixel
 constexpr std::uint64_t testsPerDispatch = 1u << 25;  // of a ray and a shape: well below a second anywhere
 
@@ -33,7 +33,7 @@ struct FirstHits {
 };
 
 std::uint32_t groups(std::uint32_t pixels) {
-  return (pixels + groupSize - 1) / groupSize;
+  return (pixels + aovGroupSize - 1) / aovGroupSize;
 }
 
 class FirstHitPass {
@@ -53,7 +53,7 @@ class FirstHitPass {
   FirstHits run(TraceParams params, std::uint32_t samples, std::uint64_t testsPerVertex) {
     for (const Buffer* buffer : storage_) fillZero(device_, *buffer);
     const std::uint64_t perRow = std::uint64_t(params.width) * (raysPerDispatch + 1) * testsPerVertex;
-    const auto band = std::uint32_t(std::max<std::uint64_t>(groupSize, testsPerDispatch / perRow));
+    const auto band = std::uint32_t(std::max<std::uint64_t>(aovGroupSize, testsPerDispatch / perRow));
     // A vertex' two traversals and more are room for one camera ray and, once, that of the object id.
     const auto rays =
         std::uint32_t(std::clamp<std::uint64_t>(cpuDriverLoopBudget / testsPerVertex, 1, raysPerDispatch));

@@ -7,6 +7,7 @@
 
 #include "renderer/mesh/bvh_split.hpp"
 #include "renderer/mesh/grid.hpp"
+#include "renderer/rows.hpp"
 
 namespace steradian {
 namespace {
@@ -17,14 +18,6 @@ const Mesh* meshOf(const Object& object) {
   const auto* g = std::get_if<Geometry>(&object.content);
   const auto* shape = g ? std::get_if<MeshShape>(&g->shape) : nullptr;
   return shape ? shape->mesh.get() : nullptr;
-}
-
-glm::vec4 row(const glm::dvec3& v, double w) {
-  return glm::vec4(glm::vec3(v), float(w));
-}
-
-float bits(std::uint32_t word) {
-  return std::bit_cast<float>(word);
 }
 
 // The box of a mesh in its grid.

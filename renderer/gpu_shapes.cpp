@@ -4,12 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/rows.hpp"
+
 namespace steradian {
 namespace {
-
-glm::vec4 row(const glm::dvec3& v, double w) {
-  return glm::vec4(glm::vec3(v), float(w));
-}
 
 void push(ShapeList& list, std::initializer_list<glm::vec4> rows, SurfaceLink link, const Placement& place) {
   list.rows.insert(list.rows.end(), rows);

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 
+#include "renderer/rows.hpp"
 #include "shaders/gpu_types.h"
 
 namespace steradian {
@@ -95,7 +95,7 @@ class Builder {
     const glm::dvec3 half = 0.5 * (c.high - c.low);
     const float radius2 = c.directional ? -1.0f : float(nearField * glm::dot(half, half));
     rows_[node * LIGHT_NODE_ROWS] = glm::vec4(glm::vec3(c.centre()), float(c.power / total_));
-    rows_[node * LIGHT_NODE_ROWS + 1] = glm::vec4(radius2, std::bit_cast<float>(link), 0.0f, 0.0f);
+    rows_[node * LIGHT_NODE_ROWS + 1] = glm::vec4(radius2, bits(link), 0.0f, 0.0f);
   }
 
   void build(Lights lights, std::uint32_t node, std::uint32_t level, std::uint32_t trail) {
@@ -103,7 +103,7 @@ class Builder {
     if (lights.size() == 1) {
       setNode(node, bounds, LIGHT_NODE_LEAF | lights[0]);
       const std::size_t trailRow = (2 * count_ - 1) * LIGHT_NODE_ROWS + lights[0];
-      rows_[trailRow].x = std::bit_cast<float>(trail);
+      rows_[trailRow].x = bits(trail);
       return;
     }
     const std::uint32_t child = next_;

@@ -16,7 +16,7 @@ using namespace gpu;
 
 namespace {
 
-constexpr std::size_t groupSize = 64, groupsPerRow = 1024;
+constexpr std::size_t raysPerGroup = 64, groupsPerRow = 1024;
 
 ComputePass passFor(const Device& device, const GpuScene& scene, bool any, bool whileWhile) {
   std::vector<Specialization> constants;
@@ -61,7 +61,8 @@ RayCaster::Answer RayCaster::cast(std::span<const CastRay> rays, bool any, int r
   const Buffer out(*i.device, BufferKind::deviceLocal, rays.size() * sizeof(CastHit), "hits");
   const Buffer* const storage[] = {&in, &out};
   const Bindings bindings(*i.device, {&i.rows, nullptr, &i.meshes, nullptr}, storage);
-  const std::size_t groups = (rays.size() + groupSize - 1) / groupSize, wide = std::min(groups, groupsPerRow);
+  const std::size_t groups = (rays.size() + raysPerGroup - 1) / raysPerGroup,
+                    wide = std::min(groups, groupsPerRow);
   TraceParams params = i.scene.params;
   params.width = std::uint32_t(rays.size());
   params.height = std::uint32_t(wide);

@@ -7,15 +7,13 @@
 #include <cmath>
 
 #include "renderer/convergence.hpp"
+#include "renderer/stopwatch.hpp"
 
 namespace steradian {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// How far each condition has come, and when it will be met at the present pace.
 class Conditions {

@@ -8,6 +8,7 @@
 #include "renderer/gpu/commands.hpp"
 #include "renderer/shader_code.hpp"
 #include "renderer/specialize.hpp"
+#include "renderer/stopwatch.hpp"
 
 namespace steradian {
 namespace {
@@ -46,10 +47,6 @@ constexpr std::uint32_t basicFeatures =
     FEATURE_COMPENSATION | FEATURE_ROULETTE;
 constexpr std::uint32_t analyticFeatures = ~(FEATURE_MESHES | FEATURE_TEXTURES | FEATURE_ALPHA);
 constexpr std::uint32_t genericFeatures[] = {basicFeatures, analyticFeatures, ~0u};
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // One dispatch that touches no pixel: some drivers only compile to machine code at the first one.
 void dispatchNothing(const Device& device, const ComputePass& pass) {

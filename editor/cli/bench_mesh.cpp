@@ -14,16 +14,13 @@
 #include "editor/cli/mesh_peer.hpp"
 #include "renderer/gpu_meshes.hpp"
 #include "renderer/ray_caster.hpp"
+#include "renderer/stopwatch.hpp"
 
 namespace steradian::bench {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The module beside this program, if there is one.
 struct Peer {

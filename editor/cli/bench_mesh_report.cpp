@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The results of the mesh bench for people and for programs.
-#include <cstdio>
-#include <nlohmann/json.hpp>
-
 #include "editor/cli/bench_mesh.hpp"
+#include "editor/cli/bench_text.hpp"
 
 namespace steradian::bench {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return std::string(buffer) + "\n";
-}
-
-Json jsonOf(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 double perMillion(double seconds, std::size_t triangles) {
   return seconds / double(triangles) * 1e6;

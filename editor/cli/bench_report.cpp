@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The results of a bench for people and for programs.
-#include <cstdio>
-#include <nlohmann/json.hpp>
-
 #include "editor/cli/bench.hpp"
+#include "editor/cli/bench_text.hpp"
 
 namespace steradian::bench {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return std::string(buffer) + "\n";
-}
+using bench::jsonOf;
 
 Json jsonOf(const Throughput& throughput) {
   return {{"msPerSample", throughput.msPerSample},       {"samplesPerSecond", 1e3 / throughput.msPerSample},
           {"mraysPerSecond", throughput.mraysPerSecond}, {"specialized", throughput.variant.specialized},
           {"features", throughput.variant.features},     {"leftOut", throughput.variant.leftOut}};
-}
-
-Json jsonOf(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 Json jsonOf(const BenchResult& result) {

@@ -9,12 +9,13 @@
 namespace steradian::gpu {
 namespace {
 
-using Stage = vk::ShaderStageFlagBits;
-constexpr vk::ShaderStageFlags pushStages = Stage::eCompute | Stage::eVertex | Stage::eFragment;
+using ShaderStage = vk::ShaderStageFlagBits;
+constexpr vk::ShaderStageFlags pushStages =
+    ShaderStage::eCompute | ShaderStage::eVertex | ShaderStage::eFragment;
 
 vk::raii::DescriptorSetLayout makeSetLayout(const Device& device) {
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
-  const vk::ShaderStageFlags stages = Stage::eCompute | Stage::eFragment;
+  const vk::ShaderStageFlags stages = ShaderStage::eCompute | ShaderStage::eFragment;
   bindings.push_back({0, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   for (std::uint32_t i = 1; i <= storageBindings; ++i)
     bindings.push_back({i, vk::DescriptorType::eStorageBuffer, 1, stages});
@@ -56,8 +57,8 @@ struct Constants {
 vk::raii::Pipeline makeGraphicsPipeline(const Device& device, vk::ShaderModule vert, vk::ShaderModule frag,
                                         vk::RenderPass renderPass, const vk::SpecializationInfo& constants) {
   const std::array stages = {
-      vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, vert, "main", &constants),
-      vk::PipelineShaderStageCreateInfo({}, Stage::eFragment, frag, "main", &constants)};
+      vk::PipelineShaderStageCreateInfo({}, ShaderStage::eVertex, vert, "main", &constants),
+      vk::PipelineShaderStageCreateInfo({}, ShaderStage::eFragment, frag, "main", &constants)};
   const vk::PipelineVertexInputStateCreateInfo noVertices;
   const vk::PipelineInputAssemblyStateCreateInfo quad({}, vk::PrimitiveTopology::eTriangleStrip);
   const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
@@ -138,7 +139,8 @@ ComputePass::ComputePass(const Device& device, std::span<const std::uint32_t> sp
   const Constants constants(specializations);
   checked(device, ("compiling the pipeline \"" + name + "\"").c_str(), [&] {
     const vk::raii::ShaderModule module = makeModule(device, spirv);
-    const vk::PipelineShaderStageCreateInfo stage({}, Stage::eCompute, *module, "main", &constants.info);
+    const vk::PipelineShaderStageCreateInfo stage({}, ShaderStage::eCompute, *module, "main",
+                                                  &constants.info);
     const vk::ComputePipelineCreateInfo info({}, stage, layout_);
     pipeline_ = vk::raii::Pipeline(device.handle(), device.pipelineCache(), info);
   });

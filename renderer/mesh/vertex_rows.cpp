@@ -2,9 +2,9 @@
 #include "renderer/mesh/vertex_rows.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "renderer/rows.hpp"
 #include "shaders/gpu_types.h"
 
 namespace steradian {
@@ -18,10 +18,6 @@ std::uint32_t flagsOf(const Mesh& mesh) {
   };
   return flag(mesh.normals, MESH_NORMALS) | flag(mesh.tangents, MESH_TANGENTS) | flag(mesh.uv0, MESH_UV0) |
          flag(mesh.uv1, MESH_UV1) | flag(mesh.colors, MESH_COLORS);
-}
-
-float bits(std::uint32_t word) {
-  return std::bit_cast<float>(word);
 }
 
 std::uint32_t unorm15(float x) {

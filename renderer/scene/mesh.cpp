@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "renderer/scene/validate_detail.hpp"
+
 namespace steradian {
 namespace {
-
-constexpr float kLargest = 1e12f;  // as for all lengths of a scene
 
 template <class Vector>
 bool finite(const std::vector<Vector>& values) {

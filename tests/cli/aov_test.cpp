@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-Arguments render(const Sandbox& sandbox, const std::string& output, Arguments more) {
+Arguments renderAovs(const Sandbox& sandbox, const std::string& output, Arguments more) {
   Arguments arguments{"render", project("hello"), "-o", sandbox.path(output), "--size", "16x12"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
@@ -20,7 +20,7 @@ Arguments render(const Sandbox& sandbox, const std::string& output, Arguments mo
 
 TEST(Aovs, all_layers_come_back_by_name) {
   const Sandbox sandbox;
-  const Outcome rendered = sandbox.run(render(sandbox, "a.exr", {"--spp", "4", "--aov", "all"}));
+  const Outcome rendered = sandbox.run(renderAovs(sandbox, "a.exr", {"--spp", "4", "--aov", "all"}));
   ASSERT_EQ(rendered.exitCode, 0) << rendered.err;
   const Outcome info = sandbox.run({"info", sandbox.path("a.exr"), "--json"});
   const auto names = json::parse(info.out)["channelNames"].get<std::set<std::string>>();
@@ -34,7 +34,7 @@ TEST(Aovs, what_cannot_be_written_is_refused_at_once) {
   const Sandbox sandbox;
   const auto code = [&](const std::string& file, Arguments more) {
     more.insert(more.end(), {"--spp", "2"});
-    return sandbox.run(render(sandbox, file, more)).exitCode;
+    return sandbox.run(renderAovs(sandbox, file, more)).exitCode;
   };
   EXPECT_EQ(code("a.exr", {"--aov", "albedo,colour"}), 2);
   EXPECT_EQ(code("a.png", {"--aov", "albedo"}), 2) << "no layers in a PNG";

@@ -4,16 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/scene/validate.hpp"
+#include "tests/editor/sound.hpp"
 
 using namespace steradian;
 namespace e = steradian::edits;
 
 namespace {
-
-void expectSound(const Scene& scene) {
-  for (const Problem& problem : problemsOf(scene)) ADD_FAILURE() << problem.where << " " << problem.what;
-}
 
 void expectSamePlace(const glm::dmat4& a, const glm::dmat4& b) {
   for (int column = 0; column < 4; ++column)

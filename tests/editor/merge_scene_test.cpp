@@ -8,7 +8,7 @@
 #include "editor/document.hpp"
 #include "editor/edits.hpp"
 #include "editor/first_view.hpp"
-#include "renderer/scene/validate.hpp"
+#include "tests/editor/sound.hpp"
 
 using namespace steradian;
 namespace e = steradian::edits;
@@ -30,10 +30,6 @@ Scene model() {
   scene.render.width = 77;
   scene.nextId = Id{7};
   return scene;
-}
-
-void expectSound(const Scene& scene) {
-  for (const Problem& problem : problemsOf(scene)) ADD_FAILURE() << problem.where << " " << problem.what;
 }
 
 }  // namespace

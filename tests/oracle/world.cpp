@@ -8,8 +8,6 @@
 namespace steradian::oracle {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// From the frame of a flat shape (in XZ, normal +Y) to that of a light (in XY, shining along -Z).
 const dmat4 kLightFromFlat(dmat3(dvec3(1, 0, 0), dvec3(0, 0, -1), dvec3(0, 1, 0)));
 
@@ -22,8 +20,8 @@ Body glowing(const Shape& shape, const dmat4& worldFromShape, const dvec3& nit, 
 }
 
 dvec3 nearestTexel(const Image& image, const dvec3& d) {
-  const double u = 0.5 + std::atan2(d.x, -d.z) / (2.0 * pi);
-  const double v = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi;
+  const double u = 0.5 + std::atan2(d.x, -d.z) / (2.0 * std::numbers::pi);
+  const double v = std::acos(std::clamp(d.y, -1.0, 1.0)) / std::numbers::pi;
   const int x = std::clamp(int(u * image.width), 0, image.width - 1);
   const int y = std::clamp(int(v * image.height), 0, image.height - 1);
   const float* texel = image.at(x, y);
@@ -92,7 +90,7 @@ void World::add(const Light& light, const dmat4& worldFromObject) {
   if (const auto* sun = std::get_if<DirectionalLight>(&light.kind)) {
     const double half = 0.5 * sun->angularDiameter;
     if (half > 0.0)
-      suns.push_back({-axis, std::cos(half), scale / (pi * std::sin(half) * std::sin(half))});
+      suns.push_back({-axis, std::cos(half), scale / (std::numbers::pi * std::sin(half) * std::sin(half))});
     else
       punctual.push_back({position, axis, scale, true});
   }

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/kernel_bsdf.comp.h"
 #include "tests/shaders/kernel.hpp"
 #include "tests/shaders/oracle.hpp"
 
 namespace steradian::kernel {
+
+inline const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
 
 inline constexpr float diffuseBit = 1, glossyBit = 2, mirrorBit = 4, transmissionBit = 8, coatBit = 16,
                        edgeBit = 32;

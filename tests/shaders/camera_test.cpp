@@ -4,13 +4,12 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "shaders/gpu_types.h"
-#include "shaders/kernel_environment.comp.h"
+#include "tests/shaders/environment_kernel.hpp"
 #include "tests/shaders/kernel.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel environment{kernel_environment_spirv, "environment"};
 constexpr std::uint32_t width = 64, height = 48;
 
 struct Lens {

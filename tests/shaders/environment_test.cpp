@@ -9,14 +9,13 @@
 
 #include "renderer/gpu_environment.hpp"
 #include "shaders/gpu_types.h"
-#include "shaders/kernel_environment.comp.h"
+#include "tests/shaders/environment_kernel.hpp"
 #include "tests/shaders/kernel.hpp"
 #include "tests/shaders/oracle.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel environment{kernel_environment_spirv, "environment"};
 constexpr std::size_t samples = 1000000;
 constexpr std::size_t sampleRows = 3;  // wi, pdf | illuminance, pdf of wi | radiance of wi
 

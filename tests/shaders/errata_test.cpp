@@ -4,18 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shaders/kernel_bsdf.comp.h"
-#include "shaders/kernel_scene.comp.h"
-#include "shaders/kernel_shapes.comp.h"
 #include "tests/shaders/bsdf_rows.hpp"
 #include "tests/shaders/scene_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
-
-const Kernel shapes{kernel_shapes_spirv, "shapes"};
-const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
-const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 
 class Errata : public KernelTest {
  protected:

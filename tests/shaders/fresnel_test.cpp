@@ -3,13 +3,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shaders/kernel_bsdf.comp.h"
 #include "tests/shaders/bsdf_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
 const Task fresnelTask{.operation = 5};  // (exact, Schlick, pow5, -)
 
 class Fresnel : public KernelTest {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 
-#include "shaders/kernel_bsdf.comp.h"
 #include "shaders/kernel_sampling.comp.h"
 #include "tests/shaders/bsdf_rows.hpp"
 #include "tests/shaders/chi_square.hpp"
@@ -13,7 +12,6 @@
 namespace steradian::kernel {
 namespace {
 
-const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
 const Kernel sampling{kernel_sampling_spirv, "sampling"};
 constexpr std::size_t samples = 1000000;
 

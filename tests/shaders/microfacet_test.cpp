@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <functional>
 
-#include "shaders/kernel_bsdf.comp.h"
 #include "tests/shaders/bsdf_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel bsdf{kernel_bsdf_spirv, "bsdf"};
 const Task evaluate{.operation = 0, .rowsIn = bsdfRows};
 const Task evaluateWhite{.operation = 3, .rowsIn = 2};
 const Task distribution{.operation = 4, .rowsIn = 2};

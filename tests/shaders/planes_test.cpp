@@ -3,31 +3,27 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shaders/kernel_scene.comp.h"
-#include "shaders/kernel_shapes.comp.h"
 #include "tests/shaders/oracle.hpp"
 #include "tests/shaders/scene_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel shapes{kernel_shapes_spirv, "shapes"};
-const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 const Task planeTask{.operation = 2, .rowsIn = 5};
 
 class Planes : public KernelTest {};
 
-void push(Rows& rows, glm::dvec3 o, glm::dvec3 d, glm::vec4 plane, bool self = false) {
+void pushPlane(Rows& rows, glm::dvec3 o, glm::dvec3 d, glm::vec4 plane, bool self = false) {
   rows.insert(rows.end(), {glm::vec4(glm::vec3(o), self), glm::vec4(glm::vec3(d), 0), plane, {}, {}});
 }
 
 TEST_F(Planes, row06_the_floor_is_below_and_not_behind) {
   Rows rays;
-  push(rays, {0, 1, 0}, {0, -1, 0}, {0, 1, 0, 0});
-  push(rays, {0, 1, 0}, {0, 1, 0}, {0, 1, 0, 0});
-  push(rays, {0, -2, 0}, {0, 1, 0}, {0, 1, 0, 0});
-  push(rays, {0, 1, 0}, {1, 0, 0}, {0, 1, 0, 0});
-  push(rays, {0, 0, 0}, {1, 0, 0}, {0, 1, 0, 0});
+  pushPlane(rays, {0, 1, 0}, {0, -1, 0}, {0, 1, 0, 0});
+  pushPlane(rays, {0, 1, 0}, {0, 1, 0}, {0, 1, 0, 0});
+  pushPlane(rays, {0, -2, 0}, {0, 1, 0}, {0, 1, 0, 0});
+  pushPlane(rays, {0, 1, 0}, {1, 0, 0}, {0, 1, 0, 0});
+  pushPlane(rays, {0, 0, 0}, {1, 0, 0}, {0, 1, 0, 0});
   const Rows answers = run(shapes, planeTask, rays);
   EXPECT_FLOAT_EQ(answers[0].x, 1.0f);
   EXPECT_TRUE(missed(answers[1].x)) << "away from it";
@@ -47,7 +43,7 @@ TEST_F(Planes, row06_planes_a_million_metres_away_keep_six_digits) {
                        slope = glm::dot(oracle::Vec(n), oracle::Vec(d));
     if (std::fabs(slope) < 0.1 || offset / slope < 1e5) continue;
     truth.push_back(offset / slope);
-    push(rays, {0, 0, 0}, glm::dvec3(d), {n, float(offset)});
+    pushPlane(rays, {0, 0, 0}, glm::dvec3(d), {n, float(offset)});
   }
   const Rows answers = run(shapes, planeTask, rays);
   for (std::size_t i = 0; i < truth.size(); ++i) ASSERT_NEAR(double(answers[i].x / truth[i]), 1.0, 1e-6) << i;

@@ -2,9 +2,14 @@
 // A scene's rows and push constants with one primitive, written by the layout in shaders/gpu_types.h.
 #pragma once
 #include "shaders/gpu_types.h"
+#include "shaders/kernel_scene.comp.h"
+#include "shaders/kernel_shapes.comp.h"
 #include "tests/shaders/kernel.hpp"
 
 namespace steradian::kernel {
+
+inline const Kernel shapes{kernel_shapes_spirv, "shapes"};
+inline const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 
 /// Which kind the single primitive of a scene is.
 using Count = std::uint32_t gpu::TraceParams::*;

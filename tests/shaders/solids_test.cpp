@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <functional>
 
-#include "shaders/kernel_scene.comp.h"
-#include "shaders/kernel_shapes.comp.h"
 #include "tests/shaders/oracle.hpp"
 #include "tests/shaders/scene_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
-
-const Kernel shapes{kernel_shapes_spirv, "shapes"};
-const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 
 class Solids : public KernelTest {};
 
@@ -25,7 +20,7 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat3& worldFromUnit, const glm::dvec
   return rows;
 }
 
-void push(Rows& rows, glm::dvec3 o, glm::dvec3 d, const std::array<glm::vec4, 3>& shape) {
+void pushSolid(Rows& rows, glm::dvec3 o, glm::dvec3 d, const std::array<glm::vec4, 3>& shape) {
   rows.insert(rows.end(),
               {glm::vec4(glm::vec3(o), 0), glm::vec4(glm::vec3(d), 0), shape[0], shape[1], shape[2]});
 }
@@ -41,7 +36,7 @@ TEST_F(Solids, row12_rays_in_the_plane_of_a_face_hit_the_box) {
           glm::dvec3 o(0.25), d(0.0);
           o[axis] = face, o[(axis + 1) % 3] = -5.0 * along;
           d[axis] = double(zero), d[(axis + 1) % 3] = along, d[(axis + 2) % 3] = double(zero);
-          push(rays, o, d, unit);
+          pushSolid(rays, o, d, unit);
         }
   const Rows answers = run(shapes, {.operation = 3, .rowsIn = 5}, rays);
   for (std::size_t i = 0; i < answers.size(); ++i)
@@ -55,7 +50,7 @@ TEST_F(Solids, row12_parallel_rays_beside_the_box_miss_it) {
     for (int axis = 0; axis < 3; ++axis) {
       glm::dvec3 o(0.25), d(0.0);
       o[axis] = beside, o[(axis + 1) % 3] = -5.0, d[(axis + 1) % 3] = 1.0;
-      push(rays, o, d, unit);
+      pushSolid(rays, o, d, unit);
     }
   for (const glm::vec4 answer : run(shapes, {.operation = 3, .rowsIn = 5}, rays))
     EXPECT_TRUE(missed(answer.x));
@@ -68,8 +63,8 @@ TEST_F(Solids, row12_a_box_of_a_tenth_of_a_micrometre_stops_every_ray) {
     const glm::dvec3 centre(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
     const glm::dvec3 target = centre + glm::dvec3(0, random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9));
     const glm::dvec3 o = target + random.direction() * random.uniform(1, 5);
-    push(rays, o, glm::normalize(target - o),
-         rowsOf(glm::dmat3({0.5e-7, 0, 0}, {0, 1, 0}, {0, 0, 1}), centre));
+    pushSolid(rays, o, glm::normalize(target - o),
+              rowsOf(glm::dmat3({0.5e-7, 0, 0}, {0, 1, 0}, {0, 0, 1}), centre));
   }
   int misses = 0;
   for (const glm::vec4 answer : run(shapes, {.operation = 3, .rowsIn = 5}, rays)) misses += missed(answer.x);
@@ -149,7 +144,7 @@ TEST_F(Solids, row13_shapes_of_any_size_agree_with_long_double) {
       const glm::dvec3 o = shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 8));
       const glm::dvec3 target =
           shape.centre + shape.worldFromUnit * (random.direction() * random.uniform(0, 1.5));
-      push(rays, o, glm::normalize(target - o), rowsOf(shape.worldFromUnit, shape.centre));
+      pushSolid(rays, o, glm::normalize(target - o), rowsOf(shape.worldFromUnit, shape.centre));
     }
     const Rows answers = run(shapes, {.operation = kind.operation, .rowsIn = 5}, rays);
     int wrongClass = 0, steep = 0;

@@ -4,22 +4,19 @@
 #include <cstdint>
 #include <functional>
 
-#include "shaders/kernel_scene.comp.h"
-#include "shaders/kernel_shapes.comp.h"
 #include "tests/shaders/oracle.hpp"
 #include "tests/shaders/scene_rows.hpp"
 
 namespace steradian::kernel {
 namespace {
 
-const Kernel shapes{kernel_shapes_spirv, "shapes"};
-const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 const Task sphereTask{.operation = 0, .rowsIn = 5};
 const Task largeSphereTask{.operation = 1, .rowsIn = 5};
 
 class Spheres : public KernelTest {};
 
-void push(Rows& rows, glm::dvec3 o, glm::dvec3 d, glm::vec4 row0, glm::vec4 row1 = {}, bool self = false) {
+void pushSphere(Rows& rows, glm::dvec3 o, glm::dvec3 d, glm::vec4 row0, glm::vec4 row1 = {},
+                bool self = false) {
   rows.insert(rows.end(),
               {glm::vec4(glm::vec3(o), self), glm::vec4(glm::vec3(d), 0), row0, row1, glm::vec4(0)});
 }
@@ -74,7 +71,7 @@ TEST_F(Spheres, row01_small_far_spheres_keep_their_outline_and_normals) {
 
 TEST_F(Spheres, row02_radii_other_than_one) {
   Rows rays;
-  for (const float radius : {0.5f, 2.0f}) push(rays, {0, 0, 5}, {0, 0, -1}, {0, 0, 0, radius});
+  for (const float radius : {0.5f, 2.0f}) pushSphere(rays, {0, 0, 5}, {0, 0, -1}, {0, 0, 0, radius});
   const Rows answers = run(shapes, sphereTask, rays);
   EXPECT_NEAR(answers[0].x, 4.5, 4.5e-6);
   EXPECT_NEAR(answers[1].x, 3.0, 3e-6);
@@ -128,7 +125,7 @@ TEST_F(Spheres, row04_from_inside_the_far_side_is_hit) {
     const double radius = random.decades(-2, 4);
     const glm::dvec3 centre(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     const glm::dvec3 o = centre + random.direction() * radius * random.uniform(0, 0.99);
-    push(rays, o, random.direction(), {glm::vec3(centre), float(radius)});
+    pushSphere(rays, o, random.direction(), {glm::vec3(centre), float(radius)});
   }
   const Rows answers = run(shapes, sphereTask, rays);
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -146,7 +143,7 @@ TEST_F(Spheres, row04_rays_along_the_rim_end_on_the_sphere_and_never_in_nan) {
   for (int i = 0; i < 1 << 16; ++i) {
     const double impact = i % 2 ? 0.999999 : 1.0 + random.uniform(-2e-6, 2e-6);
     const glm::dvec3 d = random.direction(), side = glm::normalize(cross(d, random.direction()));
-    push(rays, side * impact - d * 5.0, d, {0, 0, 0, 1});
+    pushSphere(rays, side * impact - d * 5.0, d, {0, 0, 0, 1});
   }
   const Rows answers = run(shapes, sphereTask, rays);
   double worstHeight = 0;
