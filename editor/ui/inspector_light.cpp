@@ -11,8 +11,6 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr double kFar = 1e9;  // metres
-
 std::string withUnit(double value, const char* unit) {
   char text[48];
   std::snprintf(text, sizeof text, "%.4g %s", value, unit);
@@ -112,17 +110,6 @@ NumberField angle(const char* name, const char* help, double least, double most,
           .standard = standard};
 }
 
-NumberField length(const char* name, const char* help, double standard) {
-  return {.name = name,
-          .help = help,
-          .unit = " m",
-          .minimum = 1e-6,
-          .maximum = kFar,
-          .decimals = 4,
-          .logarithmic = true,
-          .standard = standard};
-}
-
 void coneFields(Fields& fields, SpotLight& spot) {
   double inner = glm::degrees(double(spot.innerConeAngle)), outer = glm::degrees(double(spot.outerConeAngle));
   const bool innerChanged =
@@ -149,13 +136,15 @@ struct KindFields {
                       degrees))
       sun.angularDiameter = std::min(float(glm::radians(degrees)), 1.5707963f);
   }
-  void operator()(SphereLight& l) { fields.number(length("Radius", "Radius of the lamp.", 0.25), l.radius); }
+  void operator()(SphereLight& l) {
+    fields.number(lengthField("Radius", "Radius of the lamp.", 0.25), l.radius);
+  }
   void operator()(RectLight& l) {
-    fields.vector(length("Size", "Full edge lengths; the lamp shines along its -Z.", 1.0), {&l.size.x, 2},
-                  "XY");
+    fields.vector(lengthField("Size", "Full edge lengths; the lamp shines along its -Z.", 1.0),
+                  {&l.size.x, 2}, "XY");
   }
   void operator()(DiskLight& l) {
-    fields.number(length("Radius", "Radius of the lamp; it shines along its -Z.", 0.5), l.radius);
+    fields.number(lengthField("Radius", "Radius of the lamp; it shines along its -Z.", 0.5), l.radius);
   }
   void operator()(EnvironmentLight& sky) {
     const char* help = "Factor of the zenith's colour in a vertical gradient. 1 = the same all around.";

@@ -11,8 +11,6 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr double kFar = 1e9;  // metres; what a coordinate field accepts
-
 bool isInside(const Scene& scene, Id object, Id ancestor) {
   for (Id up = object; up != Id::none;) {
     if (up == ancestor) return true;
@@ -56,31 +54,24 @@ void keepAwayFromZero(glm::dvec3& scale) {
     if (std::abs(scale[i]) < 1e-6) scale[i] = scale[i] < 0 ? -1e-6 : 1e-6;
 }
 
-NumberField length(const char* name, const char* help, double standard) {
-  return {.name = name,
-          .help = help,
-          .unit = " m",
-          .minimum = 1e-6,
-          .maximum = kFar,
-          .decimals = 4,
-          .logarithmic = true,
-          .standard = standard};
-}
-
 /// Draws the sizes of one kind of shape; true when one changed.
 struct ShapeFields {
   Fields& fields;
-  bool operator()(Sphere& s) { return fields.number(length("Radius", "Radius of the sphere.", 1), s.radius); }
+  bool operator()(Sphere& s) {
+    return fields.number(lengthField("Radius", "Radius of the sphere.", 1), s.radius);
+  }
   bool operator()(Plane&) {
     fields.note("Size", "infinite", "The plane goes through the object's origin, normal along its +Y.");
     return false;
   }
-  bool operator()(Box& b) { return fields.vector(length("Size", "Full edge length.", 2), b.size); }
-  bool operator()(Rect& r) { return fields.vector(length("Size", "Full edge length.", 2), r.size); }
-  bool operator()(Disk& d) { return fields.number(length("Radius", "Radius of the disk.", 1), d.radius); }
+  bool operator()(Box& b) { return fields.vector(lengthField("Size", "Full edge length.", 2), b.size); }
+  bool operator()(Rect& r) { return fields.vector(lengthField("Size", "Full edge length.", 2), r.size); }
+  bool operator()(Disk& d) {
+    return fields.number(lengthField("Radius", "Radius of the disk.", 1), d.radius);
+  }
   bool operator()(Cylinder& c) {
-    const bool radius = fields.number(length("Radius", "Radius of the cylinder.", 1), c.radius);
-    return fields.number(length("Height", "Length along the object's Y axis.", 2), c.height) || radius;
+    const bool radius = fields.number(lengthField("Radius", "Radius of the cylinder.", 1), c.radius);
+    return fields.number(lengthField("Height", "Length along the object's Y axis.", 2), c.height) || radius;
   }
   bool operator()(MeshShape& s) {
     fields.note("Triangles", std::to_string(s.mesh->triangles.size()), "Objects may share one mesh.");

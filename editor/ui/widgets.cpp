@@ -65,6 +65,17 @@ void delayedTooltip(const char* text) {
 
 }  // namespace
 
+NumberField lengthField(const char* name, const char* help, double standard) {
+  return {.name = name,
+          .help = help,
+          .unit = " m",
+          .minimum = 1e-6,
+          .maximum = kFar,
+          .decimals = 4,
+          .logarithmic = true,
+          .standard = standard};
+}
+
 void tooltip(const char* text) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);

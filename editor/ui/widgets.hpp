@@ -28,6 +28,11 @@ struct NumberField {
   std::optional<double> standard = {};  // what "Reset" gives
 };
 
+inline constexpr double kFar = 1e9;  // metres; what a field for coordinates or lengths accepts
+
+/// A size in metres, > 0.
+NumberField lengthField(const char* name, const char* help, double standard);
+
 /// One group of fields in two columns; remembers which field changed for the name of the undo step.
 class Fields {
  public:
