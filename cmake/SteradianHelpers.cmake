@@ -27,6 +27,7 @@ function(steradian_add_plugin name)
   target_compile_options(${name} PRIVATE -Wall -Wextra)
   set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${STERADIAN_PLUGIN_DIR})
   install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/steradian/plugins)
+  set_property(GLOBAL APPEND PROPERTY STERADIAN_PLUGINS ${name})
 endfunction()
 
 # A GoogleTest binary with ctest labels: steradian_add_test(NAME LABELS ... SOURCES ... LINKS ... [DISPLAY])
@@ -47,6 +48,7 @@ function(steradian_add_test name)
   if("unit" IN_LIST ARG_LABELS)
     add_dependencies(unit_tests ${name})
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
+  # A window is driven in real time, so it has the machine to itself.
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_DISPLAY}
     ENVIRONMENT "STERADIAN_VALIDATION=1;STERADIAN_PLUGIN_PATH=${STERADIAN_PLUGIN_DIR};LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
 endfunction()
