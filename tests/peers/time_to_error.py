@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Time to 5 % and 1 % relative error: Steradian against Cycles on the same room, alternating, in one run.
+"""Time to 5 % and 1 % relative error: Steradian against Cycles on the same scene, alternating, in one run.
 
     tests/peers/time_to_error.py [--project projects/thesis-room/thesis-room.srad] [--folder build/peers]
 
@@ -13,6 +13,7 @@ import argparse
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -30,6 +31,11 @@ def same_task(project, folder, size, bounces):
     width, height = map(int, size.split("x"))
     scene.setdefault("render", {}).update(width=width, height=height, maxBounces=bounces, filter="box", errorMeter=False)
     path = os.path.join(folder, "room.srad")
+    for mesh in scene.get("meshes", []):
+        target = os.path.join(folder, mesh["asset"])
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        if not os.path.exists(target):
+            shutil.copy(os.path.join(os.path.dirname(project), mesh["asset"]), target)
     with open(path, "w", encoding="utf-8") as file:
         json.dump(scene, file)
     return path
@@ -43,7 +49,7 @@ def run(command):
 
 
 def render_cycles(task, path, spp, seed):
-    script = os.path.join(HERE, "cycles_room.py")
+    script = os.path.join(HERE, "cycles_scene.py")
     out = run(
         ["blender", "-b", "--factory-startup", "--python-exit-code", "1", "-P", script, "--", task.room, "-o", path]
         + ["--spp", str(spp), "--seed", str(seed), "--bounces", str(task.bounces), "--size", task.size]

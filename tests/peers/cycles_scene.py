@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""Renders a Steradian project of planes, spheres and point lights with Blender's Cycles, as a yardstick.
+"""Renders a Steradian project with Blender's Cycles, as a yardstick: planes, spheres, meshes, point and rectangle lights, a
+sky of one colour.
 
-    blender -b --factory-startup -P cycles_room.py -- ROOM.srad -o OUT.exr --spp 64 [--bounces 32] [--size 256x256]
+    blender -b --factory-startup -P cycles_scene.py -- SCENE.srad -o OUT.exr --spp 64 [--bounces 32] [--size 256x256]
 
 The geometry is exact: quads of 200 m stand for the infinite planes, and each sphere is a point of a point cloud, which Cycles
 intersects analytically. Prints one JSON line: samples, seconds (Cycles' own render time, without scene sync), wall seconds.
 """
 
 import argparse
+import array
 import json
 import math
+import os
 import re
+import struct
 import sys
 import time
 
@@ -51,8 +55,12 @@ def layered(record):
     material = principled({**record, "albedo": [0.0, 0.0, 0.0]})
     tree = material.node_tree
     diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
-    dimmed = [DIFFUSE_SHARE * value for value in record.get("albedo", [0.8] * 3)]
+    share = 1.0 - (1.0 - DIFFUSE_SHARE) * record.get("specular", 1.0)
+    dimmed = [share * value for value in record.get("albedo", [0.8] * 3)]
     diffuse.inputs["Color"].default_value = (*dimmed, 1.0)
+    if record.get("specular", 1.0) == 0.0:  # Principled would still reflect at grazing angles
+        tree.links.new(diffuse.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+        return material
     add = tree.nodes.new("ShaderNodeAddShader")
     tree.links.new(tree.nodes["Principled BSDF"].outputs[0], add.inputs[0])
     tree.links.new(diffuse.outputs[0], add.inputs[1])
@@ -102,6 +110,51 @@ def add_point_light(name, record, world):
     bpy.context.scene.collection.objects.link(item)
 
 
+def add_rect_light(name, record, world):
+    """Measured: over a white Lambert plane radiance comes out to 3 digits as watts / (4 * area)."""
+    light = bpy.data.lights.new(name, "AREA")
+    light.shape = "RECTANGLE"
+    light.size, light.size_y = record.get("size", [1.0, 1.0])
+    light.color = record.get("color", [1, 1, 1])
+    light.energy = 4.0 * light.size * light.size_y * record.get("intensity", 10.0)
+    item = bpy.data.objects.new(name, light)
+    item.matrix_world = world
+    bpy.context.scene.collection.objects.link(item)
+
+
+def set_sky(record):
+    world = bpy.context.scene.world
+    world.use_nodes = True
+    background = world.node_tree.nodes["Background"]
+    background.inputs["Color"].default_value = (*record.get("color", [1, 1, 1]), 1.0)
+    background.inputs["Strength"].default_value = record.get("intensity", 1.0)
+
+
+def add_triangles(name, path, world, material):
+    """A `.mesh` file of the project format: header, positions, vertex indices; without its other attributes."""
+    with open(path, "rb") as file:
+        magic, version, attributes, vertices, triangles = struct.unpack("<8sIIQQ", file.read(32))
+        if magic != b"SRADMESH" or version != 1:
+            sys.exit(f"{path}: not a mesh of version 1")
+        positions, corners = array.array("f"), array.array("i")
+        positions.fromfile(file, 3 * vertices)
+        corners.fromfile(file, 3 * triangles)
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(vertices)
+    mesh.vertices.foreach_set("co", positions)
+    mesh.loops.add(3 * triangles)
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(triangles)
+    mesh.polygons.foreach_set("loop_start", range(0, 3 * triangles, 3))
+    mesh.polygons.foreach_set("loop_total", [3] * triangles)
+    mesh.polygons.foreach_set("use_smooth", [bool(attributes & 1)] * triangles)
+    mesh.materials.append(material)
+    mesh.update(calc_edges=True)
+    item = bpy.data.objects.new(name, mesh)
+    item.matrix_world = world
+    bpy.context.scene.collection.objects.link(item)
+
+
 def add_camera(name, record, world):
     camera = bpy.data.cameras.new(name)
     camera.sensor_fit = "VERTICAL"
@@ -113,11 +166,12 @@ def add_camera(name, record, world):
     bpy.context.scene.camera = item
 
 
-def build(project, make_material):
+def build(project, folder, make_material):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.world = bpy.data.worlds.new("black")
     bpy.context.scene.world.color = (0.0, 0.0, 0.0)
     materials = {record["id"]: make_material(record) for record in project["materials"]}
+    assets = {record["id"]: os.path.join(folder, record["asset"]) for record in project.get("meshes", [])}
     for item in project["objects"]:
         world, name, material = transform_of(item), item["name"], materials.get(item.get("material"))
         if "plane" in item:
@@ -126,10 +180,16 @@ def build(project, make_material):
             add_sphere(name, item["sphere"].get("radius", 1.0), world, material)
         elif "pointLight" in item:
             add_point_light(name, item["pointLight"], world)
+        elif "mesh" in item:
+            add_triangles(name, assets[item["mesh"]["id"]], world, material)
+        elif "rectLight" in item:
+            add_rect_light(name, item["rectLight"], world)
+        elif "environmentLight" in item:
+            set_sky(item["environmentLight"])
         elif "camera" in item:
             add_camera(name, item["camera"], world)
         else:
-            sys.exit(f"{name}: only planes, spheres, point lights and cameras are translated")
+            sys.exit(f"{name}: this kind of object is not translated")
 
 
 def configure(width, height, bounces, threads):
@@ -179,7 +239,7 @@ def render(path, spp, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="cycles_room.py")
+    parser = argparse.ArgumentParser(prog="cycles_scene.py")
     parser.add_argument("project")
     parser.add_argument("-o", "--output", required=True)
     parser.add_argument("--spp", type=int, default=64)
@@ -191,7 +251,7 @@ def main():
     arguments = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     with open(arguments.project, encoding="utf-8") as file:
         project = json.load(file)
-    build(project, {"principled": principled, "layered": layered}[arguments.materials])
+    build(project, os.path.dirname(arguments.project), {"principled": principled, "layered": layered}[arguments.materials])
     width, height = map(int, arguments.size.split("x"))
     configure(width, height, arguments.bounces, arguments.threads)
     print(json.dumps(render(arguments.output, arguments.spp, arguments.seed)))
