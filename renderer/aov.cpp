@@ -38,11 +38,12 @@ std::uint32_t groups(std::uint32_t pixels) {
 
 class FirstHitPass {
  public:
-  FirstHitPass(const Device& device, Extent extent, const TexelBuffers& scene)
+  FirstHitPass(const Device& device, Extent extent, const TexelBuffers& scene, bool shapeHierarchy)
       : device_(device),
         extent_(extent),
         pixels_(std::size_t(extent.width) * extent.height),
-        pass_(device, aovSpirv(), {}, "aov"),
+        pass_(device, aovSpirv(), std::vector<Specialization>{{CONSTANT_SHAPE_HIERARCHY, shapeHierarchy}},
+              "aov"),
         albedo_(device, BufferKind::deviceLocal, pixels_ * 16, "albedo"),
         normal_(device, BufferKind::deviceLocal, pixels_ * 16, "normals"),
         object_(device, BufferKind::deviceLocal, pixels_ * 4, "object ids"),
@@ -158,9 +159,9 @@ std::vector<AovLayer> Renderer::aovs(const AovRequest& request) {
     throw Error(ExitCode::usage, "the variance of the pixels needs the error meter");
   if (!std::all_of(kinds.begin(), kinds.end(), ofFilm)) {
     TraceParams params = impl_->scene.params;
-    FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers());
+    FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers(), impl_->scene.shapeHierarchy());
     hits = pass.run(params, std::uint32_t(std::clamp(request.samples, 1, 4096)),
-                    iterationsPerVertex(params, 1, impl_->scene.meshSteps));
+                    iterationsPerVertex(params, 1, impl_->scene.traversalSteps));
   }
   std::vector<AovLayer> layers;
   for (const Aov kind : kinds)

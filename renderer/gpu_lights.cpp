@@ -2,8 +2,9 @@
 #include "renderer/gpu_lights.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+
+#include "renderer/rows.hpp"
 
 namespace steradian {
 
@@ -59,7 +60,7 @@ void LightRows::addPunctual(const Light& light, const glm::dmat4& world, const g
 std::uint32_t LightRows::addEmitter(ShapeKind kind, const Placement& place, const glm::vec3& radiance,
                                     bool oneSided, std::uint32_t primitive) {
   const std::uint32_t index = count();
-  const float self = std::bit_cast<float>(primitive);
+  const float self = bits(primitive);
   const glm::vec3 centre(place.centre);
   if (kind == spheres || kind == largeSpheres) {
     const float radius = float(place.worldFromUnit[0][0]);
@@ -74,6 +75,19 @@ std::uint32_t LightRows::addEmitter(ShapeKind kind, const Placement& place, cons
     return NO_LIGHT;
   }
   features_ |= FEATURE_AREA_LIGHTS;
+  return index;
+}
+
+std::uint32_t LightRows::addMesh(const MeshLight& mesh, const Bounds& box, const glm::vec3& radiance,
+                                 std::uint32_t primitive) {
+  const std::uint32_t index = count();
+  const glm::vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
+  others_.insert(others_.end(),
+                 {glm::vec4(0.5f * (low + high), float(LIGHT_MESH)), glm::vec4(radiance, 1.0f),
+                  glm::vec4(0.5f * (high - low), float(mesh.area)),
+                  glm::vec4(bits(mesh.triangleRow), bits(mesh.triangles), 0.0f, bits(primitive))});
+  features_ |= FEATURE_AREA_LIGHTS;
+  mostTriangles_ = std::max(mostTriangles_, mesh.triangles);
   return index;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/gpu_shapes.hpp"
+#include "renderer/gpu_meshes.hpp"
 
 namespace steradian {
 
@@ -18,15 +18,21 @@ class LightRows {
   std::uint32_t addEmitter(ShapeKind kind, const Placement& place, const glm::vec3& radiance, bool oneSided,
                            std::uint32_t primitive);
 
+  /// The same for an instance of a mesh within `box`.
+  std::uint32_t addMesh(const MeshLight& mesh, const Bounds& box, const glm::vec3& radiance,
+                        std::uint32_t primitive);
+
   std::uint32_t count() const;
   std::uint32_t sunCount() const;
   std::uint32_t features() const { return features_; }
+  /// Of the largest mesh among them; 0 = none.
+  std::uint32_t mostTriangles() const { return mostTriangles_; }
   /// All rows in upload order.
   std::vector<glm::vec4> rows() const;
 
  private:
   std::vector<glm::vec4> suns_, others_;
-  std::uint32_t features_ = 0;
+  std::uint32_t features_ = 0, mostTriangles_ = 0;
 };
 
 }  // namespace steradian

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/gpu_meshes.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
-#include "renderer/mesh/bvh_split.hpp"
 #include "renderer/mesh/grid.hpp"
 #include "renderer/rows.hpp"
 
@@ -44,61 +41,7 @@ Bounds worldBox(const Bounds& grid, const glm::dmat3& worldFromMesh, const glm::
   return box;
 }
 
-std::uint32_t leafOf(std::uint32_t instance) {
-  return BVH_LEAF | 1u << BVH_COUNT_SHIFT | instance;
-}
-
-void putChild(glm::vec4* rows, const Bounds& box, std::uint32_t link) {
-  rows[0] = {box.low[0], box.low[1], box.low[2], bits(link)};
-  rows[1] = {box.high[0], box.high[1], box.high[2], 0.0f};
-}
-
-// The node of a split and all below it.
-std::uint32_t appendTopLevel(std::vector<glm::vec4>& rows, std::span<BoxReference> part, int levels) {
-  // A leaf is one instance: its box is tested before its mesh is entered.
-  constexpr SplitCosts costs{1.0f, 20.0f, 1};
-  const auto split = splitReferences(part, costs, levels, 1);
-  if (!split) return leafOf(part[0].number());
-  const std::size_t at = rows.size();
-  rows.resize(at + TOP_LEVEL_ROWS);
-  const std::uint32_t left = appendTopLevel(rows, part.first(split->count), levels - 1);
-  const std::uint32_t right = appendTopLevel(rows, part.subspan(split->count), levels - 1);
-  putChild(&rows[at], split->left, left);
-  putChild(&rows[at + 2], split->right, right);
-  return std::uint32_t(at);
-}
-
-bool meets(const Bounds& box, const glm::dvec3& o, const glm::dvec3& d) {
-  double enter = -INFINITY, leave = INFINITY;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double inverse = 1.0 / (d[axis] != 0.0 ? d[axis] : 1e-300);
-    const double a = (box.low[axis] - o[axis]) * inverse, b = (box.high[axis] - o[axis]) * inverse;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return enter <= leave;
-}
-
 }  // namespace
-
-std::shared_ptr<const MeshBvh> MeshCache::of(const std::shared_ptr<const Mesh>& mesh) {
-  Entry& entry = entries_[mesh.get()];
-  if (!entry.bvh || entry.mesh.expired()) {
-    entry.mesh = mesh;
-    entry.bvh = std::make_shared<const MeshBvh>(buildBvh(mesh->positions, mesh->triangles));
-    entry.vertices = std::make_shared<const VertexRows>(vertexRows(*mesh));
-  }
-  return entry.bvh;
-}
-
-std::shared_ptr<const VertexRows> MeshCache::verticesOf(const std::shared_ptr<const Mesh>& mesh) {
-  of(mesh);
-  return entries_.at(mesh.get()).vertices;
-}
-
-void MeshCache::forgetUnused() {
-  std::erase_if(entries_, [](const auto& entry) { return entry.second.mesh.expired(); });
-}
 
 MeshPlaces::MeshPlaces(const Scene& scene, MeshCache& cache) {
   cache.forgetUnused();
@@ -134,46 +77,9 @@ void InstanceList::add(const MeshPlace& mesh, const glm::dmat4& worldFromObject,
   shapes.links.push_back(link);
   shapes.places.push_back({worldFromMesh, centre});
   boxes.push_back(worldBox(gridBox(bvh), worldFromMesh, centre));
+  const double scale2 = std::pow(std::abs(glm::determinant(glm::dmat3(worldFromObject))), 2.0 / 3.0);
+  lights.push_back({mesh.triangleRow, std::uint32_t(bvh.triangleCount()), bvh.area * scale2});
   steps.push_back(bvh.steps);
-}
-
-std::vector<glm::vec4> InstanceList::topLevelRows() const {
-  std::vector<BoxReference> references;
-  for (std::size_t i = 0; i < boxes.size(); ++i) references.emplace_back(boxes[i], std::uint32_t(i));
-  std::vector<glm::vec4> rows;
-  if (references.size() > 1) {
-    appendTopLevel(rows, references, int(TOP_LEVEL_DEPTH));
-  } else if (references.size() == 1) {
-    rows.resize(TOP_LEVEL_ROWS);
-    Bounds nowhere;
-    nowhere.low = nowhere.high = Float4{1e30f, 1e30f, 1e30f, 0.0f};
-    putChild(&rows[0], boxes[0], leafOf(0));
-    putChild(&rows[2], nowhere, leafOf(0));
-  }
-  return rows;
-}
-
-double InstanceList::worstSteps() const {
-  if (boxes.empty()) return 0.0;
-  Bounds all;
-  for (const Bounds& box : boxes) all.add(box);
-  std::mt19937 random(1);
-  const auto pointInside = [&] {
-    glm::dvec3 p;
-    for (int axis = 0; axis < 3; ++axis)
-      p[axis] = all.low[axis] + (double(all.high[axis]) - all.low[axis]) * (double(random()) * 0x1p-32);
-    return p;
-  };
-  double worst = 0.0;
-  const int rays = boxes.size() > 1000 ? 16 : 64;
-  for (int ray = 0; ray < rays; ++ray) {
-    const glm::dvec3 o = pointInside(), d = pointInside() - o;
-    double sum = 2.0 * std::log2(double(boxes.size()) + 1.0) + 4.0;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (meets(boxes[i], o, d)) sum += steps[i] + 4.0;
-    worst = std::max(worst, sum);
-  }
-  return worst;
 }
 
 }  // namespace steradian

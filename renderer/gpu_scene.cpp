@@ -14,6 +14,7 @@
 #include "renderer/gpu_shapes.hpp"
 #include "renderer/light_tree.hpp"
 #include "renderer/pixel_filter.hpp"
+#include "renderer/top_level.hpp"
 
 namespace steradian {
 namespace {
@@ -106,21 +107,27 @@ void appendCamera(GpuScene& out, const Scene& scene, const CameraView& view, Ext
 }
 
 // Materials and object ids in the order of the primitives; emissive ones join the lights.
-void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes, LightRows& lights,
-                    TexturePlaces& textures) {
+void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
+                    const InstanceList& instanceList, LightRows& lights, TexturePlaces& textures) {
   std::vector<glm::vec4> objects;
   for (const SurfaceLink& link : shapes.kinds[instances].links)
     textures.refs(materialOf(scene, link), out.rows);
   out.params.materialRow = std::uint32_t(out.rows.size());
-  const auto append = [&](const SurfaceLink& link, int kind, const Placement& place) {
+  const auto lightOf = [&](int kind, std::size_t i, const Placement& place, std::uint32_t bits,
+                           const glm::vec3& radiance) {
+    const auto primitive = std::uint32_t(objects.size());
+    if ((bits & FEATURE_EMISSION) == 0 || radiance == glm::vec3(0.0f)) return NO_LIGHT;
+    if (kind != instances)
+      return lights.addEmitter(ShapeKind(kind), place, radiance, (bits & MATERIAL_ONE_SIDED) != 0, primitive);
+    // Where a surface has holes, a point drawn on it may not be there: left to the paths.
+    if ((bits & MATERIAL_ALPHA) != 0) return NO_LIGHT;
+    return lights.addMesh(instanceList.lights[i], instanceList.boxes[i], radiance, primitive);
+  };
+  const auto append = [&](const SurfaceLink& link, int kind, std::size_t i, const Placement& place) {
     const Material material = materialOf(scene, link);
     const std::uint32_t bits = materialBits(material, link);
     const glm::vec3 radiance = material.emissionColor * material.emissionLuminance;
-    const bool emits = (bits & FEATURE_EMISSION) != 0 && radiance != glm::vec3(0.0f);
-    const std::uint32_t light =
-        emits ? lights.addEmitter(ShapeKind(kind), place, radiance, (bits & MATERIAL_ONE_SIDED) != 0,
-                                  std::uint32_t(objects.size()))
-              : NO_LIGHT;
+    const std::uint32_t light = lightOf(kind, i, place, bits, radiance);
     const TextureRefs refs = link.vertexFlags ? textures.refs(material, out.rows) : TextureRefs(0);
     pushMaterial(out.rows, material, bits, light, refs);
     out.features |= bits & ~MATERIAL_OWN_BITS;
@@ -128,8 +135,8 @@ void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
   };
   for (int kind = 0; kind < shapeKinds; ++kind)
     for (std::size_t i = 0; i < shapes.kinds[kind].links.size(); ++i)
-      append(shapes.kinds[kind].links[i], kind, shapes.kinds[kind].places[i]);
-  if (objects.empty()) append({Id::none, Id::none}, planes, {});  // an empty scene still reads a row
+      append(shapes.kinds[kind].links[i], kind, i, shapes.kinds[kind].places[i]);
+  if (objects.empty()) append({Id::none, Id::none}, planes, 0, {});  // an empty scene still reads a row
   out.params.objectRow = std::uint32_t(out.rows.size());
   out.rows.insert(out.rows.end(), objects.begin(), objects.end());
 }
@@ -140,6 +147,7 @@ void appendLights(GpuScene& out, const LightRows& lights) {
   out.params.lightCount = lights.count();
   out.params.sunCount = lights.sunCount();
   out.features |= lights.features();
+  out.meshLights = lights.mostTriangles() > 0;
   out.rows.insert(out.rows.end(), rows.begin(), rows.end());
   const std::vector<glm::vec4> tree = lightTreeRows(rows);
   out.params.lightTreeRow = std::uint32_t(out.rows.size());
@@ -165,11 +173,19 @@ void appendEnvironment(GpuScene& out, const std::vector<Placed>& objects) {
   out.features |= out.environment ? FEATURE_ENVIRONMENT | FEATURE_ENVIRONMENT_IMAGE : FEATURE_ENVIRONMENT;
 }
 
-void appendTopLevel(GpuScene& out, const InstanceList& instances) {
-  const std::vector<glm::vec4> rows = instances.topLevelRows();
+bool wantsHierarchy(const ShapeLists& shapes, ShapeSearch search) {
+  if (search == ShapeSearch::list) return false;
+  return listCost(shapes) >= (search == ShapeSearch::hierarchy ? 1 : spheresWorthAHierarchy);
+}
+
+void appendTopLevel(GpuScene& out, const ShapeLists& shapes, const InstanceList& instanceList,
+                    ShapeSearch search) {
+  const bool withShapes = wantsHierarchy(shapes, search);
+  if (withShapes) out.params.flags |= TRACE_SHAPE_HIERARCHY;
+  const TopLevel topLevel = buildTopLevel(topLevelEntries(shapes, instanceList, withShapes));
   out.params.topLevelRow = std::uint32_t(out.rows.size());
-  out.rows.insert(out.rows.end(), rows.begin(), rows.end());
-  out.meshSteps = instances.worstSteps();
+  out.rows.insert(out.rows.end(), topLevel.rows.begin(), topLevel.rows.end());
+  out.traversalSteps = topLevel.worstSteps;
 }
 
 void applySettings(GpuScene& out, const RenderSettings& s) {
@@ -195,14 +211,22 @@ bool GpuScene::sameRadiance(const GpuScene& other) const {
          std::memcmp(rows.data(), other.rows.data(), rows.size() * sizeof(glm::vec4)) == 0;
 }
 
-GpuScene packScene(const Scene& scene, const CameraView& view, Extent film) {
+bool GpuScene::shapeHierarchy() const {
+  return (params.flags & TRACE_SHAPE_HIERARCHY) != 0;
+}
+
+bool GpuScene::oneInstance() const {
+  return params.instanceCount == 1 && !shapeHierarchy();
+}
+
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, ShapeSearch search) {
   MeshCache meshes;
   TextureCache textures;
-  return packScene(scene, view, film, meshes, textures);
+  return packScene(scene, view, film, meshes, textures, search);
 }
 
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
-                   TextureCache& textures) {
+                   TextureCache& textures, ShapeSearch search) {
   GpuScene out;
   applySettings(out, scene.render);
   appendCamera(out, scene, view, film);
@@ -230,10 +254,12 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Mesh
   }
   shapes.kinds[instances] = instanceList.shapes;
   appendShapes(out, shapes);
-  appendSurfaces(out, scene, shapes, lights, texturePlaces);
+  appendSurfaces(out, scene, shapes, instanceList, lights, texturePlaces);
   appendLights(out, lights);
   appendEnvironment(out, objects);
-  appendTopLevel(out, instanceList);
+  appendTopLevel(out, shapes, instanceList, search);
+  // The search for a triangle of a light, at every light's sample.
+  out.traversalSteps += double(std::bit_width(lights.mostTriangles()));
   constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
   if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
   return out;

@@ -26,16 +26,20 @@ struct GpuScene {
   std::vector<std::shared_ptr<const MeshBvh>> meshes;          // what lies in the mesh buffer, in this order
   std::vector<std::shared_ptr<const VertexRows>> vertices;     // of these meshes
   std::vector<std::shared_ptr<const PackedTexture>> textures;  // what lies in the texel buffer, in this order
-  double meshSteps = 0.0;  // loop turns of the worst of some rays through all instances
+  bool meshLights = false;                                     // meshes are among the lights
+  double traversalSteps = 0.0;  // loop turns of the worst of some rays through the hierarchy over the scene
 
   bool sameRadiance(const GpuScene& other) const;
+  bool shapeHierarchy() const;  // bounded shapes lie in the hierarchy
+  bool oneInstance() const;     // of a mesh, which needs no hierarchy above it
 };
 
 class MeshCache;
 
 /// Invisible objects and shapes without extent are left out. The caches keep what is heavy for the next call.
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
-                   TextureCache& textures);
-GpuScene packScene(const Scene& scene, const CameraView& view, Extent film);
+                   TextureCache& textures, ShapeSearch search = ShapeSearch::automatic);
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film,
+                   ShapeSearch search = ShapeSearch::automatic);
 
 }  // namespace steradian

@@ -111,15 +111,24 @@ PackedTexture packTexture(const TexturePixels& pixels, bool srgb) {
 
 std::shared_ptr<const PackedTexture> TextureCache::of(const std::shared_ptr<const Texture>& texture,
                                                       bool srgb) {
-  std::erase_if(entries_, [](const auto& entry) { return entry.second.texture.expired(); });
   const bool decoded = srgb && texture->pixels.format != TexturePixels::Format::rgbaHalf;
-  Entry& entry = entries_[{texture.get(), decoded}];
-  if (!entry.packed)
-    entry = {texture, std::make_shared<const PackedTexture>(packTexture(texture->pixels, decoded))};
-  return entry.packed;
+  return (decoded ? srgb_ : linear_).of(texture, [&] { return packTexture(texture->pixels, decoded); });
+}
+
+std::size_t TextureCache::bytesOf(const Texture& texture) const {
+  std::size_t words = 0;
+  for (const auto* meaning : {&linear_, &srgb_})
+    if (const auto packed = meaning->find(&texture)) words += packed->words.size();
+  return words * sizeof(std::uint32_t);
+}
+
+void TextureCache::forgetUnused() {
+  linear_.forgetUnused();
+  srgb_.forgetUnused();
 }
 
 TexturePlaces::TexturePlaces(const Scene& scene, TextureCache& cache) {
+  cache.forgetUnused();
   for (const Material& m : scene.materials) {
     place(m.albedoTexture, true, cache);
     place(m.metallicRoughnessTexture, false, cache);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/identity_cache.hpp"
 #include "renderer/scene/material.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -22,17 +23,17 @@ struct PackedTexture {
 /// `srgb`: what the codes mean (half floats are linear in any case). Linear in the number of texels.
 PackedTexture packTexture(const TexturePixels& pixels, bool srgb);
 
-/// Packed textures by identity; what nobody else holds is forgotten. One thread at a time.
+/// Packed textures by identity. Any thread.
 class TextureCache {
  public:
   std::shared_ptr<const PackedTexture> of(const std::shared_ptr<const Texture>& texture, bool srgb);
+  /// What the texture takes on the device, in all meanings that it has; 0 before it is packed.
+  std::size_t bytesOf(const Texture& texture) const;
+  /// What belongs to textures that nobody holds any more.
+  void forgetUnused();
 
  private:
-  struct Entry {
-    std::weak_ptr<const Texture> texture;
-    std::shared_ptr<const PackedTexture> packed;
-  };
-  std::map<std::pair<const Texture*, bool>, Entry> entries_;
+  IdentityCache<Texture, PackedTexture> linear_, srgb_;
 };
 
 /// Rows of a material's texture references: albedo, metallic-roughness, normal, emission; 0 = none.

@@ -15,10 +15,11 @@ struct LoopPlan {
   std::uint32_t lightSamples = 1;  // as asked for, or fewer so that one sample fits
 };
 
-/// Loop iterations of one path vertex in the worst case; through meshes in a bad case: `meshSteps` per ray.
+/// Loop iterations of one path vertex in the worst case; through the hierarchy in a bad case:
+/// `traversalSteps` per ray.
 std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples,
-                                  double meshSteps = 0.0);
+                                  double traversalSteps = 0.0);
 /// Throws Error(badInput) naming the remedy when not even one sample with one light per vertex fits.
-LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double meshSteps = 0.0);
+LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double traversalSteps = 0.0);
 
 }  // namespace steradian

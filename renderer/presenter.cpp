@@ -85,7 +85,7 @@ bool Presenter::present(Renderer& renderer, Extent framebuffer, PixelRect viewpo
   const bool picture = r.film && rect.width > 0 && rect.height > 0;
   std::vector<Wait> waits;
   if (picture) {
-    if (!r.showPreview) r.currentFilm();
+    if (!r.showPreview && !r.stats.compiling) r.currentFilm();
     p.resolve(r, slot);
     waits.push_back({*slot.resolved, frameReadsPicture});
     acquire(frame->cmd, slot.picture.buffer(), p.device->compute().family, p.device->graphics().family);

@@ -22,7 +22,8 @@ ComputePass passFor(const Device& device, const GpuScene& scene, bool any, bool 
   std::vector<Specialization> constants;
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i) constants.push_back({i, (scene.features >> i) & 1u});
   constants.push_back({CONSTANT_WHILE_WHILE, whileWhile});
-  constants.push_back({CONSTANT_ONE_INSTANCE, scene.params.instanceCount == 1});
+  constants.push_back({CONSTANT_ONE_INSTANCE, scene.oneInstance()});
+  constants.push_back({CONSTANT_SHAPE_HIERARCHY, scene.shapeHierarchy()});
   constants.push_back({CONSTANT_ANY_HIT, any});
   return ComputePass(device, castRaysSpirv(), constants, any ? "cast shadow rays" : "cast rays");
 }

@@ -7,9 +7,9 @@
 #include "renderer/energy_table.hpp"
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/render_target.hpp"
-#include "renderer/gpu_environment.hpp"
 #include "renderer/mesh_buffer.hpp"
 #include "renderer/renderer_impl.hpp"
+#include "renderer/scene_size.hpp"
 #include "renderer/shader_code.hpp"
 #include "renderer/texel_buffer.hpp"
 
@@ -28,30 +28,31 @@ std::uint32_t ablationFlags(const Ablation& a) {
          (a.owenSobol ? 0u : TRACE_INDEPENDENT_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS);
 }
 
-Buffer makeTables(const Device& device, const Image* environment) {
-  std::vector<glm::vec4> rows = energyTable();
-  if (environment) {
-    const std::vector<glm::vec4> sky = environmentTables(*environment);
-    rows.insert(rows.end(), sky.begin(), sky.end());
-  }
-  Buffer tables(device, BufferKind::upload, rows.size() * sizeof(glm::vec4), "tables");
-  tables.writeRows(0, std::span<const glm::vec4>(rows));
+Buffer makeTables(const Device& device, SceneCache& cache, const std::shared_ptr<const Image>& environment) {
+  const std::span<const glm::vec4> energy = energyTable();
+  const auto sky = environment ? cache.skyOf(environment) : nullptr;
+  const std::size_t rows = energy.size() + (sky ? sky->size() : 0);
+  Buffer tables(device, BufferKind::texelRows, rows * sizeof(glm::vec4), "sky");
+  tables.writeRows(0, energy);
+  if (sky) tables.writeRows(energy.size_bytes(), std::span<const glm::vec4>(*sky));
   return tables;
 }
 
 }  // namespace
 
-Renderer::Impl::Impl(std::shared_ptr<Device> opened)
+Renderer::Impl::Impl(std::shared_ptr<Device> opened, std::shared_ptr<SceneCache> shared)
     : device(std::move(opened)),
       variants(device),
+      patientVariants(*device, variants),
       tracer(*device),
       meter(*device),
       resolve(*device, resolveSpirv(), {}, "resolve"),
       pick(*device, pickSpirv(), {}, "pick"),
-      display(*device) {}
+      display(*device),
+      cache(shared ? std::move(shared) : std::make_shared<SceneCache>()) {}
 
 void Renderer::Impl::upload(GpuScene next, Extent extent) {
-  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device), next.meshSteps);
+  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device), next.traversalSteps);
   const std::size_t bytes = next.rows.size() * sizeof(glm::vec4);
   const bool newFilm = !film || film->extent() != extent;
   const bool newRows = rows.size() < bytes;
@@ -59,7 +60,7 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
   auto freshFilm = newFilm ? std::make_shared<Film>(*device, extent) : film;
   Buffer freshRows = newRows ? Buffer(*device, BufferKind::upload, std::bit_ceil(bytes), "scene") : Buffer();
   const bool newTables = !tables || next.environment != scene.environment;
-  Buffer freshTables = newTables ? makeTables(*device, next.environment.get()) : Buffer();
+  Buffer freshTables = newTables ? makeTables(*device, *cache, next.environment) : Buffer();
   const bool newMeshes = next.meshes != scene.meshes || next.vertices != scene.vertices;
   Buffer freshMeshes = newMeshes ? meshBuffer(*device, next) : Buffer();
   const bool newTexels = next.textures != scene.textures;
@@ -69,6 +70,7 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
     showPreview = false;
   }
   film = std::move(freshFilm);
+  if (newFilm) film->clear(sampleBegin);  // it may be shown before it is traced
   if (newRows) rows = std::move(freshRows);
   if (newTables) tables = std::move(freshTables);
   if (newMeshes) meshes = std::move(freshMeshes);
@@ -79,7 +81,7 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
   if (newBuffers && preview) preview->bind(sceneBuffers());
   scene = std::move(next);
   plan = nextPlan;
-  tracer.sceneChanged(double(iterationsPerVertex(scene.params, plan.lightSamples, scene.meshSteps)));
+  tracer.sceneChanged(double(iterationsPerVertex(scene.params, plan.lightSamples, scene.traversalSteps)));
   restart();
 }
 
@@ -93,6 +95,7 @@ void Renderer::Impl::restart() {
   stats.compileSeconds = compileSeconds;
   stats.meshBytes = meshes.size();
   stats.textureBytes = texels.size();
+  stats.skyBytes = scene.environment ? tables.size() : 0;
 }
 
 Film& Renderer::Impl::currentFilm() {
@@ -101,23 +104,36 @@ Film& Renderer::Impl::currentFilm() {
   return *film;
 }
 
+const ComputePass& Renderer::Impl::pickPass() {
+  if (!scene.shapeHierarchy()) return pick;
+  const Specialization hierarchy{CONSTANT_SHAPE_HIERARCHY, 1u};
+  if (!pickInHierarchy)
+    pickInHierarchy = std::make_unique<ComputePass>(*device, pickSpirv(), std::span(&hierarchy, 1), "pick");
+  return *pickInHierarchy;
+}
+
 VariantKey Renderer::Impl::neededVariant() const {
   VariantKey key = variantFor(scene, plan.lightSamples);
   key.ablation = ablation != Ablation{};
   return key;
 }
 
-const ComputePass& Renderer::Impl::tracePass() {
+const ComputePass* Renderer::Impl::tracePass() {
   const VariantKey needed = neededVariant();
   if (needed.ablation) variants.waitFor(needed);  // the generic one does not obey
-  const Variants::Choice choice = variants.choose(needed);
-  stats.variant = describeVariant(choice.key);
-  return *choice.pass;
+  const auto choice =
+      patient && !needed.ablation ? patientVariants.choose(needed) : std::optional(variants.choose(needed));
+  stats.compiling = !choice;
+  if (!choice) return nullptr;
+  stats.variant = describeVariant(choice->key);
+  return choice->pass;
 }
 
 bool Renderer::Impl::traceFilm(double budgetMs) {
+  const ComputePass* pass = tracePass();
+  if (!pass) return true;
   Film& target = currentFilm();
-  if (!tracer.step(target, tracePass(), scene, plan, sampleEnd, budgetMs)) return false;
+  if (!tracer.step(target, *pass, scene, plan, sampleEnd, budgetMs)) return false;
   if (target.progress.done > target.progress.begin) showPreview = false;
   updateTiming();
   return true;
@@ -139,6 +155,8 @@ int Renderer::Impl::previewFactor(double budgetMs) const {
 }
 
 bool Renderer::Impl::tracePreview(double budgetMs) {
+  const ComputePass* pass = tracePass();
+  if (!pass) return true;
   const int factor = previewFactor(budgetMs);
   previewPending = false;
   if (factor == 1) return traceFilm(budgetMs);
@@ -153,7 +171,7 @@ bool Renderer::Impl::tracePreview(double budgetMs) {
   coarseScene.params.pixelScale *= float(film->extent().height) / float(coarse.height);
   const TraceTotals before = tracer.totals;
   constexpr double wholeFilm = 1e9;
-  tracer.step(*preview, tracePass(), coarseScene, plan, sampleBegin + 1, wholeFilm);
+  tracer.step(*preview, *pass, coarseScene, plan, sampleBegin + 1, wholeFilm);
   tracer.totals = before;
   showPreview = true;
   return true;
@@ -171,15 +189,27 @@ const ResolvedPicture& Renderer::Impl::resolveNow() {
   return picture;
 }
 
-Renderer::Renderer(std::shared_ptr<Device> device) : impl_(std::make_unique<Impl>(std::move(device))) {}
+Renderer::Renderer(std::shared_ptr<Device> device, std::shared_ptr<SceneCache> cache)
+    : impl_(std::make_unique<Impl>(std::move(device), std::move(cache))) {}
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(const Scene& scene, const CameraView& view, Extent film) {
-  GpuScene next = packScene(scene, view, film, impl_->meshCache, impl_->textureCache);
+  GpuScene next =
+      packScene(scene, view, film, impl_->cache->meshes, impl_->cache->textures, impl_->shapeSearch);
   next.params.flags |= ablationFlags(impl_->ablation);
   const bool sameFilm = impl_->film && impl_->film->extent() == film;
   if (sameFilm && next.sameRadiance(impl_->scene)) return;
+  checkSize(*impl_->device, scene, next);
   impl_->upload(std::move(next), film);
+}
+
+void Renderer::prepare(const Scene& scene, const CameraView& view, Extent film,
+                       const std::function<bool(double)>& goOn) {
+  impl_->cache->prepare(scene, goOn);
+  if (!goOn(1.0)) return;
+  const GpuScene packed = packScene(scene, view, film, impl_->cache->meshes, impl_->cache->textures);
+  const LoopPlan plan = planLoops(packed.params, loopBudgetOf(*impl_->device), packed.traversalSteps);
+  impl_->patientVariants.prepare(variantFor(packed, plan.lightSamples));
 }
 
 void Renderer::setTonemapper(const Tonemapper& tonemapper) {
@@ -213,6 +243,12 @@ void Renderer::setAblation(const Ablation& ablation) {
   impl_->scene.params.flags |= ablationFlags(ablation);
   impl_->ablation = ablation;
   impl_->restart();
+}
+void Renderer::setShapeSearch(ShapeSearch search) {
+  impl_->shapeSearch = search;
+}
+void Renderer::setPatient(bool patient) {
+  impl_->patient = patient;
 }
 void Renderer::waitForSpecialization() {
   impl_->variants.waitFor(impl_->neededVariant());
@@ -260,9 +296,10 @@ std::optional<PickResult> Renderer::pick(int x, int y) {
   TraceParams params = impl_->scene.params;
   params.pickX = std::uint32_t(x);
   params.pickY = std::uint32_t(y);
+  const ComputePass& pass = impl_->pickPass();
   impl_->device->run(QueueKind::compute, [&](const auto& cmd) {
     computeToCompute(cmd);
-    impl_->pick.dispatch(cmd, impl_->film->bindings(), params, 1, 1);
+    pass.dispatch(cmd, impl_->film->bindings(), params, 1, 1);
   });
   const auto v = downloadAs<float>(*impl_->device, impl_->film->picked(), 0, PICK_ROWS * 4);
   if (std::bit_cast<std::uint32_t>(v[0]) == NO_PRIMITIVE) return std::nullopt;

@@ -53,6 +53,7 @@ DeviceDescription describe(const gpu::Device& device);
 int validationMessages(const gpu::Device& device);
 
 struct FilmSums;
+class SceneCache;
 
 struct Extent {
   int width = 0, height = 0;
@@ -93,7 +94,8 @@ struct RenderStats {
   double msPerSample = 0.0;      // of the whole film, recent average
   double mraysPerSecond = 0.0;   // closest + shadow, recent average
   double compileSeconds = 0.0;   // of pipelines, in all
-  std::size_t meshBytes = 0, textureBytes = 0;  // on the device
+  bool compiling = false;        // a patient renderer waits for a pipeline; the last picture stays
+  std::size_t meshBytes = 0, textureBytes = 0, skyBytes = 0;  // on the device
   ErrorEstimate error;
   VariantInfo variant;
 };
@@ -107,6 +109,10 @@ struct Ablation {
   bool lightTree = true;      // off = uniform choice among many lights
   bool operator==(const Ablation&) const = default;
 };
+
+/// How rays find shapes that have bounds, the same either way: one after the other, or through the hierarchy
+/// over the scene. Automatic: what is faster for their number.
+enum class ShapeSearch { automatic, list, hierarchy };
 
 struct PickResult {
   Id object = Id::none;
@@ -131,8 +137,9 @@ struct Tonemapper {
 /// Owns the film, the scene on the device and the passes. Every method belongs to the thread that made it.
 class Renderer {
  public:
-  /// Compiles the generic pipeline (ready at return). Throws Error(noDevice).
-  explicit Renderer(std::shared_ptr<gpu::Device> device);
+  /// Renderers that share `cache` make what is heavy about a scene once; null = one of its own. Throws
+  /// Error(noDevice).
+  explicit Renderer(std::shared_ptr<gpu::Device> device, std::shared_ptr<SceneCache> cache = nullptr);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -140,6 +147,11 @@ class Renderer {
   /// Compares with the last call, uploads what changed, starts over when the radiance would differ.
   /// Throws Error(badInput) when the device's loop budget or memory cannot take the scene, the old one stays.
   void setScene(const Scene& scene, const CameraView& view, Extent film);
+  /// Makes ahead what setScene would have to make: what is heavy about the scene, and a pipeline. Any thread,
+  /// beside every other method. `goOn` is told the share that is done, 0..1; false ends it early. Throws what
+  /// setScene throws, and Error(noDevice) when the pipeline cannot be compiled.
+  void prepare(const Scene& scene, const CameraView& view, Extent film,
+               const std::function<bool(double)>& goOn);
   /// Throws Error(plugin) with the compiler's lines when the GLSL does not compile; the old one stays.
   void setTonemapper(const Tonemapper& tonemapper);
   void setDisplay(const DisplaySettings& display);
@@ -152,6 +164,11 @@ class Renderer {
   void allowSpecialization(bool allow);
   /// Default: everything on. Starts over when it changes.
   void setAblation(const Ablation& ablation);
+  /// For the scenes that are set from now on; default automatic. For measurements and tests.
+  void setShapeSearch(ShapeSearch search);
+  /// For windows: tracing never waits for a pipeline; until one is ready it does nothing and the last picture
+  /// stays. Only the very first is waited for. Default off.
+  void setPatient(bool patient);
   /// Block until the special pipeline for this scene runs (stills and benches).
   void waitForSpecialization();
 

@@ -5,16 +5,17 @@
 
 #include "renderer/display.hpp"
 #include "renderer/error_meter.hpp"
-#include "renderer/gpu_meshes.hpp"
+#include "renderer/patient_variants.hpp"
 #include "renderer/renderer.hpp"
 #include "renderer/resolve.hpp"
+#include "renderer/scene_cache.hpp"
 #include "renderer/tracer.hpp"
 #include "renderer/variants.hpp"
 
 namespace steradian {
 
 struct Renderer::Impl {
-  explicit Impl(std::shared_ptr<gpu::Device> opened);
+  Impl(std::shared_ptr<gpu::Device> opened, std::shared_ptr<SceneCache> shared);
 
   void upload(GpuScene next, Extent extent);
   void restart();
@@ -23,8 +24,10 @@ struct Renderer::Impl {
   bool traceFilm(double budgetMs);
   bool tracePreview(double budgetMs);
   int previewFactor(double budgetMs) const;
+  const gpu::ComputePass& pickPass();
   VariantKey neededVariant() const;
-  const gpu::ComputePass& tracePass();
+  /// Null while a patient renderer waits.
+  const gpu::ComputePass* tracePass();
   void updateTiming();
   /// What should be on screen: the preview until the film has a whole pass.
   std::shared_ptr<const Film> shownFilm() const { return showPreview ? preview : film; }
@@ -34,15 +37,17 @@ struct Renderer::Impl {
 
   std::shared_ptr<gpu::Device> device;
   Variants variants;
+  PatientVariants patientVariants;
   Tracer tracer;
   ErrorMeter meter;
   SlopeTracker slope;
   gpu::ComputePass resolve, pick;
+  std::unique_ptr<gpu::ComputePass> pickInHierarchy;  // made when first needed
   Display display;
 
   Ablation ablation;
-  MeshCache meshCache;
-  TextureCache textureCache;
+  ShapeSearch shapeSearch = ShapeSearch::automatic;
+  std::shared_ptr<SceneCache> cache;
   GpuScene scene;
   LoopPlan plan;
   gpu::Buffer rows, tables, meshes, texels;
@@ -51,6 +56,7 @@ struct Renderer::Impl {
   bool stale = true;        // the film's samples belong to an older scene
   bool previewPending = false;
   bool showPreview = false;
+  bool patient = false;
   std::uint64_t sampleBegin = 0, sampleEnd = 0xffffffffu;
   RenderStats stats;
 };

@@ -20,6 +20,8 @@ Specialization loopForm(const Device& device) {
   return {CONSTANT_WHILE_WHILE, device.description().type == "CPU" ? 1u : 0u};
 }
 
+}  // namespace
+
 std::vector<Specialization> constantsOf(const Device& device, const VariantKey& key) {
   std::vector<Specialization> constants;
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i) constants.push_back({i, (key.features >> i) & 1u});
@@ -28,9 +30,13 @@ std::vector<Specialization> constantsOf(const Device& device, const VariantKey& 
   constants.push_back({CONSTANT_FIXED_LIGHTS, key.fixedLights});
   constants.push_back({CONSTANT_ABLATION, key.ablation ? 1u : 0u});
   constants.push_back({CONSTANT_ONE_INSTANCE, key.oneInstance ? 1u : 0u});
+  constants.push_back({CONSTANT_SHAPE_HIERARCHY, key.shapeHierarchy ? 1u : 0u});
+  constants.push_back({CONSTANT_MESH_LIGHTS, key.meshLights ? 1u : 0u});
   constants.push_back(loopForm(device));
   return constants;
 }
+
+namespace {
 
 std::unique_ptr<ComputePass> compile(const Device& device, const VariantKey& key) {
   const std::vector<Specialization> constants = constantsOf(device, key);
@@ -61,22 +67,30 @@ bool VariantKey::covers(const VariantKey& needed) const {
   const auto serves = [](std::uint32_t own, std::uint32_t asked) { return own == 0 || own == asked; };
   return (needed.features & ~features) == 0 && serves(fixedSpheres, needed.fixedSpheres) &&
          serves(fixedPlanes, needed.fixedPlanes) && serves(fixedLights, needed.fixedLights) &&
-         serves(oneInstance, needed.oneInstance) && ablation == needed.ablation;
+         serves(oneInstance, needed.oneInstance) && shapeHierarchy == needed.shapeHierarchy &&
+         meshLights == needed.meshLights && ablation == needed.ablation;
 }
 
 VariantKey genericFor(const VariantKey& needed) {
-  return {
-      *std::ranges::find_if(genericFeatures, [&](auto known) { return (needed.features & ~known) == 0; })};
+  VariantKey generic;
+  generic.features =
+      *std::ranges::find_if(genericFeatures, [&](auto known) { return (needed.features & ~known) == 0; });
+  generic.shapeHierarchy = needed.shapeHierarchy;
+  generic.meshLights = needed.meshLights;
+  return generic;
 }
 
 VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
   const TraceParams& p = scene.params;
   VariantKey key{scene.features};
-  if (p.sphereCount <= MAX_FIXED && p.planeCount <= MAX_FIXED) {
-    key.fixedSpheres = p.sphereCount;
+  key.shapeHierarchy = scene.shapeHierarchy();
+  key.meshLights = scene.meshLights;
+  const std::uint32_t listedSpheres = key.shapeHierarchy ? 0 : p.sphereCount;
+  if (listedSpheres <= MAX_FIXED && p.planeCount <= MAX_FIXED) {
+    key.fixedSpheres = listedSpheres;
     key.fixedPlanes = p.planeCount;
   }
-  key.oneInstance = p.instanceCount == 1;
+  key.oneInstance = scene.oneInstance();
   // Every baked light is one more copy of the traversal, which is long where there are meshes.
   const std::uint32_t mostBaked = p.instanceCount > 0 ? 1u : MAX_FIXED_LIGHTS;
   if (p.lightCount <= std::min(mostBaked, lightSamples)) key.fixedLights = p.lightCount;
@@ -122,6 +136,8 @@ VariantInfo describeVariant(const VariantKey& key) {
   info.specialized = key != genericFor(key);
   for (std::uint32_t i = 0; i < FEATURE_COUNT; ++i)
     ((key.features >> i) & 1u ? info.features : info.leftOut).push_back(names[i]);
+  if (key.shapeHierarchy) info.features.push_back("shape hierarchy");
+  if (key.meshLights) info.features.push_back("mesh lights");
   if (key.fixedSpheres) info.features.push_back(std::to_string(key.fixedSpheres) + " spheres baked");
   if (key.fixedPlanes) info.features.push_back(std::to_string(key.fixedPlanes) + " planes baked");
   if (key.fixedLights) info.features.push_back(std::to_string(key.fixedLights) + " lights baked");

@@ -19,6 +19,8 @@ struct VariantKey {
   std::uint32_t features = 0;
   std::uint32_t fixedSpheres = 0, fixedPlanes = 0, fixedLights = 0;  // 0 = counted at run time
   bool oneInstance = false;                                          // of a mesh
+  bool shapeHierarchy = false;                                       // bounded shapes lie in the hierarchy
+  bool meshLights = false;                                           // meshes are among the lights
   bool ablation = false;                                             // obeys the flags of measurements
   bool operator==(const VariantKey&) const = default;
   /// Compiled for at least what `needed` asks; counts at run time serve any count.
@@ -31,6 +33,8 @@ VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples);
 /// times faster than what any scene may hold.
 VariantKey genericFor(const VariantKey& needed);
 VariantInfo describeVariant(const VariantKey& key);
+/// What the pipeline of `key` has compiled in on this device.
+std::vector<gpu::Specialization> constantsOf(const gpu::Device& device, const VariantKey& key);
 
 class Variants {
  public:

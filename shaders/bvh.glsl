@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes: down the hierarchy over the instances, in each of them down the hierarchy over its triangles, nearer boxes first.
+// One mesh: down the hierarchy over its triangles, nearer boxes first.
 #ifndef BVH_GLSL
 #define BVH_GLSL
 #include "alpha.glsl"
@@ -10,7 +10,6 @@
 // Form of the loop over a mesh: first down to a leaf in a loop of its own, then its triangles in another; or one loop whose
 // turns test a node or a triangle. The first suits drivers that run both sides of every branch.
 layout(constant_id = 36) const bool kWhileWhile = true;
-layout(constant_id = 38) const bool kOneInstance = false;
 
 struct Hit {
   float t;
@@ -22,8 +21,6 @@ struct Hit {
 // two stores under one mask compile to selects where a lone one becomes a branch per lane (1.3 to 1.5 times the speed).
 uint meshStack[BVH_DEPTH + 1u];
 float meshEnter[BVH_DEPTH + 1u];
-uint topStack[TOP_LEVEL_DEPTH + 1u];
-float topEnter[TOP_LEVEL_DEPTH + 1u];
 
 // Whether a driver's loop budget ended a traversal before its time: its result is wrong.
 bool traversalCut = false;
@@ -57,11 +54,22 @@ float enterChild(BoxRay ray, vec4 child, float tMax) {
   return enterBox(ray, low, high, tMax);
 }
 
+// The same with branches, and without distances: a GPU skips what it does not need, and its stacks lie in memory.
+uint afterNodeBranching(Order o, inout uint height) {
+  if (o.both) {
+    meshStack[height] = o.later;
+    height += 1u;
+  }
+  if (o.none) height -= 1u;
+  return o.none ? meshStack[height] : o.next;
+}
+
 // What comes after a node: its nearer child, or what the stack holds.
 uint afterNode(uint row, BoxRay ray, float tMax, inout uint height) {
   vec4 a = fetchMesh(row);
   vec4 b = fetchMesh(row + 1u);
   Order o = inOrder(enterChild(ray, a, tMax), enterChild(ray, b, tMax), a.w, b.w);
+  if (!kWhileWhile) return afterNodeBranching(o, height);
   uint popped = unlessBeyond(meshStack[height - 1u], meshEnter[height - 1u], tMax);
   meshStack[height] = o.later;
   meshEnter[height] = o.laterEnter;
@@ -107,53 +115,6 @@ void hitMesh(inout Hit hit, LocalRay ray, uint node, uint nodeRow, uint triangle
     }
   }
   traversalCut = traversalCut || node != BVH_END;
-}
-
-uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
-  vec4 lowA = fetchRow(row);
-  vec4 lowB = fetchRow(row + 2u);
-  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, tMax);
-  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, tMax);
-  Order o = inOrder(enterA, enterB, lowA.w, lowB.w);
-  uint popped = unlessBeyond(topStack[height - 1u], topEnter[height - 1u], tMax);
-  topStack[height] = o.later;
-  topEnter[height] = o.laterEnter;
-  height += o.both ? 1u : 0u;
-  height -= o.none ? 1u : 0u;
-  return o.none ? popped : o.next;
-}
-
-void hitInstance(inout Hit hit, uint instance, bool there, vec3 o, vec3 d, bool any, Layout l) {
-  uint primitive = l.instance + instance;
-  uint row = instanceRow(l, primitive);
-  LocalRay local = toUnit(o, d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
-  vec4 bits = fetchRow(row + 3u);
-  hitMesh(hit, local, there ? 0u : BVH_END, floatBitsToUint(bits.x), floatBitsToUint(bits.y), primitive, any);
-}
-
-// The hierarchy above the meshes.
-void hitTopLevel(inout Hit hit, vec3 o, vec3 d, bool any, Layout l) {
-  float tMax = hit.t;
-  BoxRay box = boxRay(o, d, 0.0);
-  uint topRow = params.topLevelRow;
-  uint node = params.instanceCount > 0u ? 0u : BVH_END;
-  uint height = 1u;
-  topStack[0] = BVH_END;
-  topEnter[0] = 0.0;
-  while (node != BVH_END) {
-    while (node < BVH_LEAF) node = afterTopNode(topRow + node, box, hit.t, height);
-    bool there = node != BVH_END && node != BVH_NOTHING;
-    hitInstance(hit, there ? node & BVH_FIRST_MASK : 0u, there, o, d, any, l);
-    height = max(height, 1u) - 1u;
-    node = any && hit.t < tMax ? BVH_END : topStack[height];
-  }
-  traversalCut = traversalCut || node != BVH_END;
-}
-
-// All instances of meshes; `any`: the first triangle found is enough.
-void hitMeshes(inout Hit hit, vec3 o, vec3 d, bool any, Layout l) {
-  if (kOneInstance) hitInstance(hit, 0u, true, o, d, any, l);
-  else hitTopLevel(hit, o, d, any, l);
 }
 
 #endif

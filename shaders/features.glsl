@@ -41,6 +41,8 @@ layout(constant_id = 32) const uint kFixedSpheres = 0;
 layout(constant_id = 33) const uint kFixedPlanes = 0;
 layout(constant_id = 34) const uint kFixedLights = 0;
 layout(constant_id = 35) const bool kAblation = false;
+// Bounded analytic shapes lie in the hierarchy over the scene (TRACE_SHAPE_HIERARCHY), not in flat lists.
+layout(constant_id = 41) const bool kShapeHierarchy = false;
 
 const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
 // Lights that paths meet as well: both ways are weighed against each other.

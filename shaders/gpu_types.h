@@ -5,7 +5,7 @@
 //   camera (3 rows), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
 //   boxes, rects, disks, cylinders, ellipsoids (3 each), mesh instances (4), materials (8 per primitive),
 //   object ids (1 per primitive), lights (4; suns first), light tree, environment (6), top level of the
-//   meshes.
+//   hierarchy (over meshes, and shapes with TRACE_SHAPE_HIERARCHY).
 // What rarely changes lies in a second texel buffer, the tables: ENERGY_ROWS of albedo tables, then the image
 // of the environment with its sampling tables. Meshes lie in a third (their own coordinates, relative to
 // their centre: nodes, triangles, vertices), texels in a fourth. Primitive indices follow the same order.
@@ -21,7 +21,7 @@
 //                first vertex row, MESH_* (rows of the mesh buffer) | rows of the 3x3 worldFromMesh, -
 //   top level    TOP_LEVEL_ROWS per node, the root first: low corner of child A's box, bits: node or BVH_LEAF
 //   and
-//                the instance | high corner, - | the same of child B   (rows count from topLevelRow)
+//                the primitive | high corner, - | the same of child B   (rows count from topLevelRow)
 // Rows of the mesh buffer: see renderer/mesh/bvh.hpp for nodes and triangles, whose coordinates are grid
 // cells.
 //   material     albedo, metallic | alpha = roughness^2, dielectric F0, dielectric F90, bits (FEATURE_*,
@@ -39,7 +39,11 @@
 //   sphere light centre, kind | radiance (nit), radius | - | -, bits: its primitive
 //   rect light   centre, kind | radiance (nit), 1 = both sides | half edge U, - | half edge V, bits: its
 //   primitive (front: cross(U, V)) disk light   centre, kind | radiance (nit), 1 = both sides | semi-axis U,
-//   - | semi-axis V, bits: its primitive (front: cross(U, V)) light tree   2 rows per node, 2 * lights - 1
+//   - | semi-axis V, bits: its primitive (front: cross(U, V))
+//   mesh light   centre, kind | radiance (nit), 1 = both sides | half extent of its box, area (m^2) | bits:
+//   row of its
+//                first triangle, count of them, -, its primitive
+//   light tree   2 rows per node, 2 * lights - 1
 //   nodes, the root first, siblings side by side; then 1 row per light:
 //                centre, power (cd; lx for directional; of all lights 1) | squared near-field radius (-1 =
 //                directional), bits: first child, or LIGHT_NODE_LEAF and the light, - | bits: which child at
@@ -75,6 +79,7 @@ GPU_CONST uint LIGHT_DIRECTIONAL = 2u;
 GPU_CONST uint LIGHT_SPHERE = 3u;
 GPU_CONST uint LIGHT_RECT = 4u;
 GPU_CONST uint LIGHT_DISK = 5u;
+GPU_CONST uint LIGHT_MESH = 6u;
 
 // Hierarchies: a link is a node's first row, or BVH_LEAF, count and first triangle; BVH_END closes the stack.
 GPU_CONST uint BVH_NODE_ROWS = 2u;
@@ -168,8 +173,10 @@ GPU_CONST uint CONSTANT_ABLATION = 35u;  // obey the TRACE_* flags of measuremen
 GPU_CONST uint CONSTANT_WHILE_WHILE =
     36u;                                // form of the loop over a mesh: true suits CPU drivers, false GPUs
 GPU_CONST uint CONSTANT_ANY_HIT = 37u;  // cast_rays.comp: shadow rays
-GPU_CONST uint CONSTANT_ONE_INSTANCE = 38u;  // a single mesh instance needs no hierarchy above it
-GPU_CONST uint MAX_FIXED = 8u;               // spheres, planes
+GPU_CONST uint CONSTANT_ONE_INSTANCE = 38u;     // a single mesh instance needs no hierarchy above it
+GPU_CONST uint CONSTANT_SHAPE_HIERARCHY = 41u;  // as TRACE_SHAPE_HIERARCHY
+GPU_CONST uint CONSTANT_MESH_LIGHTS = 42u;      // meshes are among the lights
+GPU_CONST uint MAX_FIXED = 8u;                  // spheres, planes
 GPU_CONST uint MAX_FIXED_LIGHTS = 4u;
 
 // Flags of TraceParams.
@@ -180,6 +187,7 @@ GPU_CONST uint TRACE_COMPENSATION = 8u;
 GPU_CONST uint TRACE_ENVIRONMENT = 16u;
 GPU_CONST uint TRACE_MET_LIGHTS =
     512u;  // something emits: paths go one segment past the last bounce, to meet it
+GPU_CONST uint TRACE_SHAPE_HIERARCHY = 1024u;  // bounded analytic shapes lie in the top level
 // Ablations for measurements (what a method is worth); all 0 in use.
 GPU_CONST uint TRACE_NO_LIGHT_SAMPLING = 32u;     // area lights and environment are found by paths alone
 GPU_CONST uint TRACE_NO_BSDF_HITS = 64u;          // they are sampled alone
@@ -197,7 +205,7 @@ struct TraceParams {
   uint objectRow;
   uint sphereCount, planeCount, largeSphereCount;
   uint boxCount, rectCount, diskCount, cylinderCount, ellipsoidCount, instanceCount;
-  uint topLevelRow;  // root of the hierarchy over the instances
+  uint topLevelRow;  // root of the hierarchy over the scene
   uint lightCount, sunCount, lightTreeRow;
   uint environmentRow;
   float clampRadiance;  // nit, 0 = off

@@ -7,6 +7,7 @@
 #include "environment.glsl"
 #include "light_tree.glsl"
 #include "lights.glsl"
+#include "mesh_light.glsl"
 #include "random.glsl"
 #include "shading.glsl"
 
@@ -32,6 +33,7 @@ struct Vertex {
   bool thin;    // a sheet, which has no inside to go to
   bool mesh;    // its shading normal need not be that of the facet
   uint primitive;
+  uint triangle;  // of a mesh: its first row
   uint seed, index, bounce;  // for this vertex' random numbers
 };
 
@@ -118,7 +120,14 @@ vec3 directLight(LightSample s, float samples, Vertex v, Lobes lobes, inout Tall
 LightSample lightSampleAt(LightRows light, Vertex v, uint slot) {
   SamplePair pair = SamplePair(0.5, 0.5);
   if (kAreaLights || kSuns) pair = lightPair(v, slot);
-  return sampleLight(light, v.surface.p, pair.x, pair.y);
+  LightSample s = sampleLight(light, v.surface.p, pair.x, pair.y);
+  if (isMeshLight(light)) {
+    s = sampleMeshLight(light, v.surface.p, pair.x, pair.y, primitiveLayout());
+    // A point in the plane of the facet gives it nothing; rounding must not lift it above.
+    bool level = abs(dot(v.surface.normal, s.wi)) * s.distance <= 4.0 * v.surface.offset;
+    s.illuminance *= level ? 0.0 : 1.0;
+  }
+  return s;
 }
 
 // Baked lights are sampled, evaluated and tested step by step, all lights at each: a CPU then works on several chains of
@@ -183,7 +192,10 @@ vec3 emittedLight(Vertex v, Path path) {
   float weight = hidden ? 0.0 : 1.0;
   if (kAreaLights) {
     uint light = min(material.light, max(params.lightCount, 1u) - 1u);
-    float pdf = lightPdf(fetchLight(light), path.ray.o, path.ray.d) * samplesOfLight(light, path.ray.o);
+    LightRows rows = fetchLight(light);
+    float pdf = lightPdf(rows, path.ray.o, path.ray.d);
+    if (isMeshLight(rows)) pdf = meshLightPdf(rows, v.triangle, path.ray.o, path.ray.d, primitiveLayout());
+    pdf *= samplesOfLight(light, path.ray.o);
     weight *= material.light == NO_LIGHT ? 1.0 : metWeight(path.pdf, pdf);
   }
   return material.emission * weight;
@@ -237,6 +249,7 @@ Vertex vertexAt(Hit hit, Path path, uint seed, Layout l) {
   v.wo.z = clamp(v.wo.z, 1e-7, 1.0);
   v.thin = (hit.primitive >= l.rect && hit.primitive < l.cylinder) || (kMeshes && (v.material.bits & MATERIAL_THIN) != 0u);
   v.primitive = hit.primitive;
+  v.triangle = hit.triangle;
   v.seed = seed;
   v.index = path.index;
   v.bounce = path.bounce;

@@ -105,7 +105,7 @@ void main() {
   filmSum[at] = vec4(total.sum, sum.w + float(tally.closestRays));
   filmCarry[at] = vec4(total.carry, carry.w + float(tally.shadowRays));
   // A sample that the loop budget cut off is a fault, never a silently darker pixel.
-  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u) + (kMeshes && traversalCut ? 1u : 0u);
+  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u) + ((kMeshes || kShapeHierarchy) && traversalCut ? 1u : 0u);
   if (tally.nan > 0u) atomicAdd(counters[COUNTER_NAN], tally.nan);
   if (faults > 0u) atomicAdd(counters[COUNTER_FAULTS], faults);
   if (kClamp) countClamped(tally.clamped);

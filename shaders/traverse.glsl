@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Closest hit and occlusion over the flat list of analytic shapes, and the hierarchies of meshes. Small scenes hold their spheres and planes in
-// registers (loaded once, counts baked); others read rows in loops bounded by the host's loop budget.
+// Closest hit and occlusion. Few analytic shapes are a flat list, the spheres and planes of small scenes in registers (loaded
+// once, counts baked); where there are many, all that have bounds lie in the hierarchy beside the meshes.
 #ifndef TRAVERSE_GLSL
 #define TRAVERSE_GLSL
 #extension GL_EXT_control_flow_attributes : require
-#include "bvh.glsl"
-
-struct Ray {
-  vec3 o;
-  vec3 d;           // unit length
-  uint self;        // primitive the ray starts on, or NO_PRIMITIVE
-  bool selfInside;  // and whether it leaves to that solid's inside
-};
+#include "top_level.glsl"
 
 vec4 bakedSpheres[MAX_FIXED];
 vec4 bakedPlanes[MAX_FIXED];
@@ -19,7 +12,7 @@ vec4 bakedPlanes[MAX_FIXED];
 // Called once at the top of main, outside all control flow.
 void loadBakedPrimitives() {
   [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i) bakedSpheres[i] = fetchRow(kFirstRow + i);
-  [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) bakedPlanes[i] = fetchRow(kFirstRow + kFixedSpheres + i);
+  [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) bakedPlanes[i] = fetchRow(kFirstRow + sphereCount() + i);
 }
 
 void nearer(inout Hit hit, float t, uint primitive) {
@@ -29,7 +22,7 @@ void nearer(inout Hit hit, float t, uint primitive) {
 }
 
 void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
-  if (kSpheres) {
+  if (kSpheres && !kShapeHierarchy) {
     if (kFixedSpheres > 0u) {
       [[unroll]] for (uint i = 0u; i < kFixedSpheres; ++i)
         nearer(hit, hitSphere(ray.o, ray.d, bakedSpheres[i].xyz, bakedSpheres[i].w, ray.self == i, ray.selfInside), i);
@@ -51,9 +44,6 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
   }
 }
 
-// Occlusion leaves out one primitive: the light that the ray is sent to (NO_PRIMITIVE = none).
-bool isTarget(uint primitive, uint target) { return kAreaLights && primitive == target; }
-
 void hitLargeSpheres(inout Hit hit, Ray ray, uint target, Layout l) {
   for (uint i = l.largeSphere; i < l.box; ++i) {
     uint row = largeSphereRow(l, i);
@@ -62,11 +52,6 @@ void hitLargeSpheres(inout Hit hit, Ray ray, uint target, Layout l) {
     float t = hitLargeSphere(ray.o, ray.d, high, low, ray.self == i, ray.selfInside);
     nearer(hit, isTarget(i, target) ? INFINITE : t, i);
   }
-}
-
-LocalRay localRay(Ray ray, Layout l, uint primitive) {
-  uint row = affineRow(l, primitive);
-  return toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
 }
 
 void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
@@ -89,7 +74,7 @@ void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
 
 void hitOtherShapes(inout Hit hit, Ray ray, uint target, Layout l) {
   if (kLargeSpheres) hitLargeSpheres(hit, ray, target, l);
-  if (kAffine) hitAffineShapes(hit, ray, target, l);
+  if (kAffine && !kShapeHierarchy) hitAffineShapes(hit, ray, target, l);
 }
 
 // Nearest hit closer than tMax; primitive = NO_PRIMITIVE when there is none.
@@ -97,7 +82,7 @@ Hit closestHit(Ray ray, float tMax, Layout l) {
   Hit hit = Hit(tMax, NO_PRIMITIVE, 0u);
   hitSpheresAndPlanes(hit, ray, l);
   hitOtherShapes(hit, ray, NO_PRIMITIVE, l);
-  if (kMeshes) hitMeshes(hit, ray.o, ray.d, false, l);
+  if (kMeshes || kShapeHierarchy) hitHierarchy(hit, ray, NO_PRIMITIVE, false, l);
   return hit;
 }
 
@@ -137,17 +122,15 @@ bool planesBlock(Ray ray, float tMax, Layout l) {
 
 // Whether anything but the target lies between the ray's origin and tMax.
 bool occluded(Ray ray, float tMax, uint target, Layout l) {
-  bool bySphere = kSpheres ? spheresBlock(ray, tMax, target, l) : false;
+  bool bySphere = kSpheres && !kShapeHierarchy ? spheresBlock(ray, tMax, target, l) : false;
   bool byPlane = kPlanes ? planesBlock(ray, tMax, l) : false;
   Hit hit = Hit(tMax, NO_PRIMITIVE, 0u);
   hitOtherShapes(hit, ray, target, l);
   bool blocked = bySphere || byPlane || hit.t < tMax;
-  if (kMeshes) {
-    // A mesh that touches the light must not hide it by the last digits of its place.
-    float end = tMax - 1e-6 * (tMax + maxComponent(abs(ray.o)));
-    Hit mesh = Hit(blocked ? 0.0 : end, NO_PRIMITIVE, 0u);
-    hitMeshes(mesh, ray.o, ray.d, true, l);
-    blocked = blocked || mesh.primitive != NO_PRIMITIVE;
+  if (kMeshes || kShapeHierarchy) {
+    Hit first = Hit(blocked ? 0.0 : tMax, NO_PRIMITIVE, 0u);
+    hitHierarchy(first, ray, target, true, l);
+    blocked = blocked || first.primitive != NO_PRIMITIVE;
   }
   return blocked;
 }

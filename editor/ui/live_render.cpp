@@ -13,9 +13,11 @@ constexpr std::chrono::milliseconds kMeasureInterval{600};
 
 }  // namespace
 
-LiveRender::LiveRender(std::shared_ptr<gpu::Device> device, const plugins::PluginHost& plugins,
-                       Messages& messages)
-    : renderer_(std::move(device)), plugins_(plugins), messages_(messages) {}
+LiveRender::LiveRender(std::shared_ptr<gpu::Device> device, std::shared_ptr<SceneCache> cache,
+                       const plugins::PluginHost& plugins, Messages& messages)
+    : renderer_(std::move(device), std::move(cache)), plugins_(plugins), messages_(messages) {
+  renderer_.setPatient(true);
+}
 
 void LiveRender::showDisplay(const DisplaySettings& display) {
   if (display_ == display) return;
@@ -37,6 +39,8 @@ void LiveRender::show(const Snapshot& scene, const CameraView& view, Extent film
   film_ = film;
   try {
     renderer_.setScene(*scene, view, film);
+  } catch (const std::bad_alloc&) {
+    messages_.error("Not enough memory to show the scene; the last picture stays.");
   } catch (const Error& error) {
     messages_.error(error.what());
   }

@@ -14,7 +14,8 @@ namespace steradian::ui {
 
 class LiveRender {
  public:
-  LiveRender(std::shared_ptr<gpu::Device> device, const plugins::PluginHost& plugins, Messages& messages);
+  LiveRender(std::shared_ptr<gpu::Device> device, std::shared_ptr<SceneCache> cache,
+             const plugins::PluginHost& plugins, Messages& messages);
 
   /// What is to be shown from now on. A scene that the device cannot take is reported once; the last one
   /// stays.

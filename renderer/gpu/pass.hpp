@@ -43,7 +43,7 @@ class PassLayout {
 /// The texel buffers of a scene, by binding; null or empty = not used.
 struct TexelBuffers {
   const Buffer* rows = nullptr;    // 0, kind upload
-  const Buffer* tables = nullptr;  // 8, kind upload
+  const Buffer* tables = nullptr;  // 8, kind texelRows
   const Buffer* meshes = nullptr;  // 9, kind texelRows
   const Buffer* texels = nullptr;  // 10, kind texelWords
 };

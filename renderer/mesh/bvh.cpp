@@ -112,6 +112,23 @@ void writeTriangle(glm::vec4* rows, const GridTriangle& t, std::uint32_t number)
   rows[2] = glm::vec4(t.vertices[2], 0.0f);
 }
 
+// What glowing meshes are sampled by. The running share is rounded once per triangle, at both of its ends
+// alike.
+void writeAreas(MeshBvh& bvh) {
+  const auto areaOf = [&](std::size_t i) {
+    const glm::dvec3 v0(bvh.triangles[i]), v1(bvh.triangles[i + 1]), v2(bvh.triangles[i + 2]);
+    return 0.5 * glm::length(glm::cross(v1 - v0, v2 - v0));
+  };
+  double total = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < bvh.triangles.size(); i += BVH_TRIANGLE_ROWS) total += areaOf(i);
+  for (std::size_t i = 0; i < bvh.triangles.size(); i += BVH_TRIANGLE_ROWS) {
+    bvh.triangles[i + 1].w = float(sum / total);
+    sum += areaOf(i);
+    bvh.triangles[i + 2].w = float(sum / total);
+  }
+  bvh.area = total * bvh.cell * bvh.cell;
+}
+
 int depthBelow(const Rows& nodes, std::uint32_t node) {
   int deepest = 0;
   for (std::uint32_t i = 0; i < BVH_NODE_ROWS; ++i) {
@@ -139,6 +156,7 @@ MeshBvh buildBvh(std::span<const glm::vec3> positions, std::span<const glm::uvec
     const std::uint32_t number = references[i].number();
     writeTriangle(&bvh.triangles[i * BVH_TRIANGLE_ROWS], grid.triangle(positions, triangles[number]), number);
   }
+  writeAreas(bvh);
   bvh.steps = probeSteps(bvh, 512);
   return bvh;
 }
@@ -166,6 +184,7 @@ void refit(MeshBvh& bvh, std::span<const glm::vec3> positions, std::span<const g
     bvh.nodes[row] = childRow(child, link);
     bounds[row / BVH_NODE_ROWS].add(child);
   }
+  writeAreas(bvh);
   bvh.steps = probeSteps(bvh, 512);
 }
 

@@ -18,12 +18,13 @@ struct MeshBvh {
   /// along x, y and z (bits: low | high << 16, counted from -BVH_ORIGIN) | bits: node, or BVH_LEAF with count
   /// and first triangle. Every bound holds its triangles.
   std::vector<glm::vec4> nodes;
-  /// BVH_TRIANGLE_ROWS per triangle in the order of the leaves: vertex 0, bits: index in the mesh | 1, - | 2,
-  /// -
+  /// BVH_TRIANGLE_ROWS per triangle in the order of the leaves: vertex 0, bits: index in the mesh | 1, share
+  /// of the mesh's area before this triangle | 2, share up to its end
   std::vector<glm::vec4> triangles;
   glm::dvec3 centre{0.0};  // mesh position = centre + cell * grid position
   double cell = 1.0;       // metres of the mesh
   int depth = 0;           // nodes on the longest way down
+  double area = 0.0;       // square metres of the mesh
   double steps = 0.0;      // loop turns of the worst of some rays shot through it
 
   bool empty() const { return triangles.empty(); }

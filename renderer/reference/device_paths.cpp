@@ -35,6 +35,7 @@ gpu::Buffer upload(const gpu::Device& device, const std::vector<glm::vec4>& rows
 std::vector<gpu::Specialization> kindsOf(const GpuScene& scene) {
   std::vector<gpu::Specialization> kinds;
   for (std::uint32_t i = 0; i < gpu::FEATURE_COUNT; ++i) kinds.push_back({i, (scene.features >> i) & 1u});
+  kinds.push_back({gpu::CONSTANT_SHAPE_HIERARCHY, scene.shapeHierarchy()});
   return kinds;
 }
 
@@ -66,7 +67,8 @@ std::vector<std::uint32_t> texelWords(const GpuScene& scene) {
 
 TracedScene tracedScene(GpuScene scene, const gpu::Device& device) {
   const bool cpu = device.description().type == "CPU";
-  const LoopPlan plan = planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget, scene.meshSteps);
+  const LoopPlan plan =
+      planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget, scene.traversalSteps);
   scene.params.lightSamples = plan.lightSamples;
   std::vector<glm::vec4> tables = energyTable();
   if (scene.environment) {

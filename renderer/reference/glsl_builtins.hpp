@@ -54,9 +54,11 @@ inline glm::vec2 unpackHalf2x16(std::uint32_t bits) {
 }
 
 inline std::uint32_t bitfieldReverse(std::uint32_t x) {
-  std::uint32_t reversed = 0;
-  for (int i = 0; i < 32; ++i) reversed |= ((x >> i) & 1u) << (31 - i);
-  return reversed;
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+  return (x >> 16) | (x << 16);
 }
 
 /// Swizzles: v.xyz is rewritten as v->*xyz, which binds as tightly as it must.
@@ -100,10 +102,12 @@ class GlslBuiltins {
 
  protected:
   /// `features`: bit i is specialization constant i, as on the device.
-  explicit GlslBuiltins(std::uint32_t features) : features_(features) {}
+  explicit GlslBuiltins(std::uint32_t features, bool shapeHierarchy = false)
+      : features_(features), shapeHierarchy_(shapeHierarchy) {}
 
   template <class T>
   T specialized(std::uint32_t id, T generic) const {
+    if (id == gpu::CONSTANT_SHAPE_HIERARCHY) return T(shapeHierarchy_);
     return id < gpu::FEATURE_COUNT ? T((features_ >> id) & 1u) : generic;
   }
   /// Beyond the end 0, as a robust device answers.
@@ -116,6 +120,7 @@ class GlslBuiltins {
 
  private:
   std::uint32_t features_;
+  bool shapeHierarchy_;
 };
 
 }  // namespace steradian::reference

@@ -103,7 +103,8 @@ class Disturbance {
 }  // namespace
 
 struct Judge::Impl {
-  explicit Impl(const TracedScene& traced) : traced(traced), shaders(traced.scene.features) {
+  explicit Impl(const TracedScene& traced)
+      : traced(traced), shaders(traced.scene.features, traced.scene.shapeHierarchy()) {
     shaders.sceneRows = traced.scene.rows;
     shaders.tableRows = traced.tables;
     shaders.meshRows = traced.meshes;

@@ -24,8 +24,9 @@ class Shaders : public GlslBuiltins<Real> {
   using GlslBuiltins<Real>::tableRows;
   using GlslBuiltins<Real>::texels;
 
-  /// `features`: FEATURE_* bits of the variant to be followed.
-  explicit Shaders(std::uint32_t features = ~0u) : GlslBuiltins<Real>(features) {}
+  /// `features`: FEATURE_* bits of the variant to be followed; `shapeHierarchy` as in the scene.
+  explicit Shaders(std::uint32_t features = ~0u, bool shapeHierarchy = false)
+      : GlslBuiltins<Real>(features, shapeHierarchy) {}
 
   std::vector<vec4> recordRows;  // what path.glsl writes
 

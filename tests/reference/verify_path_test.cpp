@@ -109,6 +109,27 @@ TEST_F(VerifiedPaths, float_and_double_agree_on_textured_meshes) {
   EXPECT_GT(compared, 1000u);
 }
 
+TEST_F(VerifiedPaths, float_and_double_agree_on_shapes_and_meshes_in_one_hierarchy) {
+  for (int i = 0; i < 50; ++i)
+    scenes::add(scene_, scenes::at({0.1 * i - 2.5, 0.3 + 0.02 * (i * 37 % 50), 0.02 * (i * 23 % 50)}),
+                i % 2 ? Shape(Sphere{0.12}) : Shape(Box{glm::dvec3(0.2)}),
+                scenes::plastic(0.4f, glm::vec3(0.6f)));
+  scenes::add(scene_, scenes::at({0, 2, 0}), textures::shape(textures::smoothBall(2)),
+              scenes::lambert(glm::vec3(0.5f)));
+  traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
+  ASSERT_TRUE(traced_.scene.shapeHierarchy());
+  Judge judge(traced_);
+  std::size_t compared = 0;
+  for (const PathRecord& path : record(2))
+    for (const Finding& f : judge.compare(path)) {
+      compared += 1;
+      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
+                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
+                              << " / " << f.reference;
+    }
+  EXPECT_GT(compared, 1000u);
+}
+
 TEST_F(VerifiedPaths, a_wrong_distance_is_named_intersection) {
   PathRecord path = record(1)[40];
   path.rows[hitRow].x *= 1.01f;

@@ -3,43 +3,10 @@
 // agree.
 #include <iostream>
 
-#include "tests/renderer/renderer_fixture.hpp"
-#include "tests/renderer/scenes.hpp"
+#include "tests/renderer/lights_fixture.hpp"
 
 namespace steradian {
 namespace {
-
-using namespace scenes;
-
-/// A light at `position` that shines along `direction`.
-Transform shining(const dvec3& position, const dvec3& direction, const dvec3& scale = dvec3(1.0)) {
-  return {position, facing(direction), scale};
-}
-
-Scene ground(const Material& material = lambert(glm::vec3(1.0f)), int bounces = 1) {
-  Scene scene = plainScene(bounces);
-  add(scene, at({0, 0, 0}), Plane{}, material);
-  return scene;
-}
-
-class LightsTest : public RendererTest {
- protected:
-  void TearDown() override {
-    renderer().setAblation({});
-    RendererTest::TearDown();
-  }
-  /// The generic pipeline obeys no ablation.
-  void ablate(const Ablation& ablation) {
-    renderer().allowSpecialization(ablation != Ablation{});
-    renderer().setAblation(ablation);
-  }
-  /// Irradiance of the matt ground at a point.
-  Mean irradiance(const Scene& scene, const dvec3& point, int samples) {
-    const CameraView view = lookAt(point + dvec3(3.0, 0.1, 4.0), point, 2e-5);  // below most lights
-    const Mean radiance = meanOf(render(scene, view, {16, 16}, samples));
-    return {radiance.value * pi, radiance.sigma * pi};
-  }
-};
 
 TEST_F(LightsTest, row34_a_rect_light_gives_its_form_factor) {
   Scene scene = ground();
@@ -142,28 +109,9 @@ Scene everyLight(const Material& floor) {
 }
 
 TEST_F(LightsTest, row32_light_sampling_paths_alone_and_both_agree) {
-  Ablation noSampling, noHits;
-  noSampling.lightSampling = false;
-  noHits.lightHits = false;
-  const CameraView view = lookAt({0, 1.5, 3}, {0, 0.2, -0.2}, 0.8);
   for (const Material& floor : {lambert(glm::vec3(0.7f)), metal(0.4f)}) {
     SCOPED_TRACE(floor.metallic);
-    const Scene scene = everyLight(floor);
-    ablate({});
-    const Image both = render(scene, view, {16, 16}, 1024);
-    for (const Ablation& strategy : {noSampling, noHits}) {
-      SCOPED_TRACE(strategy.lightSampling ? "samples alone" : "paths alone");
-      ablate(strategy);
-      const Image alone = render(scene, view, {16, 16}, 1024);
-      EXPECT_NE(alone.pixels, both.pixels) << "the strategy was not switched";
-      // Pixels differ in their noise, not in their means: compare one by one.
-      std::vector<double> differences;
-      for (std::size_t i = 0; i < both.pixels.size(); i += 3)
-        differences.push_back(double(alone.pixels[i]) - both.pixels[i]);
-      const Mean difference = meanOf(differences);
-      EXPECT_NEAR(difference.value, 0.0, 3.0 * difference.sigma);
-      EXPECT_LT(difference.sigma, 0.01 * meanOf(both).value) << "too noisy to tell";
-    }
+    expectStrategiesAgree(everyLight(floor), lookAt({0, 1.5, 3}, {0, 0.2, -0.2}, 0.8), 1024);
   }
 }
 

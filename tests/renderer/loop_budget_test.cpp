@@ -78,6 +78,15 @@ TEST(LoopBudget, Row16TheAdvisedNumberOfBouncesFits) {
   EXPECT_THROW(planLoops(advised, cpuDriverLoopBudget), Error);
 }
 
+TEST(LoopBudget, ShapesInTheHierarchyCountByTheStepsOfARay) {
+  gpu::TraceParams p = worstScene(20000, 4, 4, 8);
+  EXPECT_THROW(planLoops(p, cpuDriverLoopBudget), Error);
+  p.flags |= gpu::TRACE_SHAPE_HIERARCHY;
+  p.planeCount = 10;
+  EXPECT_EQ(planLoops(p, cpuDriverLoopBudget, 150.0).lightSamples, 4u);
+  EXPECT_GE(iterationsPerVertex(p, 4, 150.0), 5u * (150u + 10u));
+}
+
 TEST(LoopBudget, FewerLightsAreSampledBeforeASceneIsRefused) {
   const LoopPlan plan = planLoops(worstScene(200, 100, 16, 64), cpuDriverLoopBudget);
   EXPECT_LT(plan.lightSamples, 16u);

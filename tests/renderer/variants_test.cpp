@@ -2,6 +2,7 @@
 // A pipeline that models only what a scene needs must give the picture of the one that models everything.
 #include <set>
 #include <string_view>
+#include <thread>
 
 #include "tests/renderer/feature_scenes.hpp"
 #include "tests/renderer/renderer_fixture.hpp"
@@ -165,6 +166,40 @@ TEST_F(VariantsTest, ChangeOfTheSceneFallsBackToAPipelineThatCoversIt) {
   const Image edited = render(scene, view, {32, 32}, 4);  // expects that no sample met a missing feature
   renderer().allowSpecialization(false);
   expectSame(edited, render(scene, view, {32, 32}, 4));
+}
+
+TEST_F(VariantsTest, APatientRendererDoesNothingUntilAPipelineIsReadyAndThenTracesTheSame) {
+  const CameraView view = lookAt({0, 0.8, 5}, {0, 0.2, 0}, 0.9);
+  Renderer patient(device_);
+  patient.setPatient(true);
+  patient.allowSpecialization(false);
+  patient.setScene(ballsUnderALamp(), view, {32, 32});
+  patient.trace(200.0);
+  EXPECT_FALSE(patient.stats().compiling) << "the very first is waited for";
+  patient.setSampleRange(0, 4);
+  patient.setScene(veilBeforeABall(), view, {32, 32});
+  int waited = 0;
+  while (patient.trace(200.0)) {
+    if (!patient.stats().compiling) continue;
+    EXPECT_EQ(patient.stats().samples, 0u);
+    ++waited;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_GT(waited, 0);
+  expectSame(patient.radiance(), render(veilBeforeABall(), view, {32, 32}, 4));
+}
+
+TEST_F(VariantsTest, WhatWasPreparedOnAnotherThreadIsTracedAtOnce) {
+  const CameraView view = lookAt({0, 0.8, 5}, {0, 0.2, 0}, 0.9);
+  Renderer patient(device_);
+  patient.setPatient(true);
+  patient.setScene(ballsUnderALamp(), view, {32, 32});
+  patient.trace(200.0);
+  const Scene next = veilBeforeABall();
+  std::jthread([&] { patient.prepare(next, view, {32, 32}, [](double) { return true; }); }).join();
+  patient.setScene(next, view, {32, 32});
+  EXPECT_TRUE(patient.trace(200.0));
+  EXPECT_FALSE(patient.stats().compiling);
 }
 
 }  // namespace

@@ -56,8 +56,9 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
   const gpu::Bindings bindings(device, {&scene, &tables, nullptr, &texels}, storage);
   std::vector<std::byte> push = task.push;
   push.resize(gpu::pushConstantBytes);  // what a shader names must be set, used or not
-  const gpu::Specialization operation{operationConstant, task.operation};
-  const gpu::ComputePass pass(device, kernel.spirv, {&operation, 1}, kernel.name);
+  std::vector<gpu::Specialization> constants{{operationConstant, task.operation}};
+  for (const auto& [id, value] : task.constants) constants.push_back({id, value});
+  const gpu::ComputePass pass(device, kernel.spirv, constants, kernel.name);
   device.run(gpu::QueueKind::compute, [&](const vk::raii::CommandBuffer& cmd) {
     pass.dispatch(cmd, bindings, push.data(), push.size(), std::uint32_t(groupsX), std::uint32_t(groupsY));
   });

@@ -10,6 +10,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/gpu/device.hpp"
@@ -31,9 +32,10 @@ struct Task {
   std::size_t rowsOut = 1;      // per invocation
   std::size_t invocations = 0;  // 0 = as many as the questions need
   std::vector<std::byte> push = {};
-  Rows scene = {};                         // binding 0
-  Rows tables = {};                        // binding 8
-  std::vector<std::uint32_t> texels = {};  // binding 10
+  Rows scene = {};                                                      // binding 0
+  Rows tables = {};                                                     // binding 8
+  std::vector<std::uint32_t> texels = {};                               // binding 10
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> constants = {};  // of the production GLSL: id, value
 };
 
 template <class Push>

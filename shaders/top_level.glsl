@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The hierarchy over the scene: instances of meshes and, where there are many, bounded analytic shapes alike. A leaf is one
+// primitive, whose index tells its kind.
+#ifndef TOP_LEVEL_GLSL
+#define TOP_LEVEL_GLSL
+#include "bvh.glsl"
+#include "primitives.glsl"
+
+layout(constant_id = 38) const bool kOneInstance = false;
+
+uint topStack[TOP_LEVEL_DEPTH + 1u];
+float topEnter[TOP_LEVEL_DEPTH + 1u];
+
+uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
+  vec4 lowA = fetchRow(row);
+  vec4 lowB = fetchRow(row + 2u);
+  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, tMax);
+  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, tMax);
+  Order o = inOrder(enterA, enterB, lowA.w, lowB.w);
+  uint popped = unlessBeyond(topStack[height - 1u], topEnter[height - 1u], tMax);
+  topStack[height] = o.later;
+  topEnter[height] = o.laterEnter;
+  height += o.both ? 1u : 0u;
+  height -= o.none ? 1u : 0u;
+  return o.none ? popped : o.next;
+}
+
+// `any`: a mesh that touches the light must not hide it by the last digits of its place, so the ray ends a little earlier.
+void hitInstance(inout Hit hit, Ray ray, uint primitive, bool there, bool any, Layout l) {
+  uint row = instanceRow(l, primitive);
+  LocalRay local = toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
+  vec4 bits = fetchRow(row + 3u);
+  float end = any ? hit.t - 1e-6 * (hit.t + maxComponent(abs(ray.o))) : hit.t;
+  Hit mesh = Hit(end, hit.primitive, hit.triangle);
+  hitMesh(mesh, local, there ? 0u : BVH_END, floatBitsToUint(bits.x), floatBitsToUint(bits.y), primitive, any);
+  hit.t = mesh.t < end ? mesh.t : hit.t;
+  hit.primitive = mesh.primitive;
+  hit.triangle = mesh.triangle;
+}
+
+// Of two shapes at one distance the first counts, as in a list: the order of the hierarchy must not show.
+void nearerShape(inout Hit hit, float t, uint primitive) {
+  bool closer = t < hit.t || (t == hit.t && t < INFINITE && primitive < hit.primitive);
+  hit.t = closer ? t : hit.t;
+  hit.primitive = closer ? primitive : hit.primitive;
+  hit.triangle = closer ? 0u : hit.triangle;
+}
+
+// The margin of the boxes covers what rounding does to the tests of shapes seen from far away (renderer/top_level.cpp).
+void hitTopLevel(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
+  float tMax = hit.t;
+  BoxRay box = boxRay(ray.o, ray.d, kShapeHierarchy ? 6e-7 * maxComponent(abs(ray.o)) : 0.0);
+  uint topRow = params.topLevelRow;
+  bool open = kShapeHierarchy ? tMax > 0.0 : params.instanceCount > 0u;
+  uint node = open ? 0u : BVH_END;
+  uint height = 1u;
+  topStack[0] = BVH_END;
+  topEnter[0] = 0.0;
+  while (node != BVH_END) {
+    while (node < BVH_LEAF) node = afterTopNode(topRow + node, box, hit.t, height);
+    bool there = node != BVH_END && node != BVH_NOTHING;
+    uint primitive = there ? node & BVH_FIRST_MASK : NO_PRIMITIVE;
+    if (kShapeHierarchy) nearerShape(hit, hitShape(ray, primitive, tMax, target, any, l), primitive);
+    if (kMeshes) {
+      bool mesh = kShapeHierarchy ? there && primitive >= l.instance : there;
+      hitInstance(hit, ray, mesh ? primitive : l.instance, mesh, any, l);
+    }
+    height = max(height, 1u) - 1u;
+    node = any && hit.t < tMax ? BVH_END : topStack[height];
+  }
+  traversalCut = traversalCut || node != BVH_END;
+}
+
+// Everything that lies in the hierarchy; `any`: the first hit found is enough.
+void hitHierarchy(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
+  if (kOneInstance) hitInstance(hit, ray, l.instance, true, any, l);
+  else hitTopLevel(hit, ray, target, any, l);
+}
+
+#endif
