@@ -27,6 +27,8 @@ class Assets {
   /// equal scenes stay equal. A light whose file cannot be used shows its gradient alone. Materials get
   /// textures with pixels (see Textures).
   std::vector<AssetProblem> load(Scene& scene, const std::filesystem::path& projectFolder);
+  /// One sky. Throws Error(badInput | io).
+  std::shared_ptr<const Image> image(const std::filesystem::path& file, std::vector<AssetProblem>& problems);
 
  private:
   struct Loaded {
@@ -34,8 +36,6 @@ class Assets {
     std::uintmax_t size = 0;
     std::weak_ptr<const Image> image;
   };
-  std::shared_ptr<const Image> image(const std::filesystem::path& file, std::vector<AssetProblem>& problems);
-
   void loadSkies(Scene& scene, const std::filesystem::path& projectFolder,
                  std::vector<AssetProblem>& problems);
 

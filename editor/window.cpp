@@ -92,6 +92,10 @@ void Window::poll(double waitSeconds) {
     glfwPollEvents();
 }
 
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
 Extent Window::framebuffer() const {
   Extent size;
   glfwGetFramebufferSize(window_, &size.width, &size.height);

@@ -35,6 +35,8 @@ class Window {
 
   /// Handles pending events; waits up to `waitSeconds` for the first one.
   void poll(double waitSeconds);
+  /// Ends a poll that waits. Any thread.
+  static void wake();
 
   Extent framebuffer() const;  // pixels; 0 x 0 when minimised
   UiScale scale() const;       // of the monitor that the window is on

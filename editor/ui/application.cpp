@@ -18,6 +18,7 @@ namespace ui {
 namespace {
 
 constexpr Extent kWindowSize{1360, 820};  // design pixels
+constexpr std::chrono::seconds kPatience{10};
 
 std::shared_ptr<gpu::Device> openFor(const SurfaceSource& surface, const EditorOptions& options) {
   return openDevice({options.device, options.validation, &surface});
@@ -38,13 +39,15 @@ Application::Application(const EditorOptions& options)
       plugins_(plugins::defaultSearchPath(options.pluginPath)),
       files_(plugins_, messages_),
       presenter_(device_, window_.framebuffer(), PresentMode::fifo),
-      live_(device_, plugins_, messages_),
+      live_(device_, cache_, plugins_, messages_),
       imgui_(window_, presenter_.handles()),
       reportValidation_(validationWanted(options)) {
   reportPlugins();
-  std::optional<Document> opened;
-  if (!options.file.empty()) opened = files_.load(options.file);
-  show(opened ? std::move(*opened) : Document(startScene()));
+  starting_ = !options.file.empty();
+  if (starting_)
+    openFile(options.file);
+  else
+    show(Document(startScene()));
 }
 
 Application::~Application() = default;
@@ -55,6 +58,8 @@ void Application::reportPlugins() {
 }
 
 void Application::show(Document document) {
+  starting_ = false;
+  loading_.cancel();  // a sky that was meant for the other document
   document_ = std::move(document);
   pendingName_.clear();
   outliner_ = {};
@@ -83,8 +88,13 @@ int Application::run() {
 
 void Application::finish() {
   job_.reset();
+  frameTimes_.write();
   if (reportValidation_)
     std::fprintf(stderr, "steradian: %d validation messages\n", validationMessages(*device_));
+  if (loading_.stopWithin(kPatience)) return;
+  // A plugin that never comes back must not keep the program: its work is nobody's any more.
+  std::fprintf(stderr, "steradian: ended although an importer still runs\n");
+  std::_Exit(int(ExitCode::ok));
 }
 
 std::string Application::systemInformation() const {

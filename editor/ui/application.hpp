@@ -12,15 +12,18 @@
 #include "editor/ui/dialogs.hpp"
 #include "editor/ui/export_still.hpp"
 #include "editor/ui/file_browser.hpp"
+#include "editor/ui/frame_times.hpp"
 #include "editor/ui/imgui_vulkan.hpp"
 #include "editor/ui/inspector.hpp"
 #include "editor/ui/layout.hpp"
 #include "editor/ui/live_render.hpp"
+#include "editor/ui/loading.hpp"
 #include "editor/ui/menu.hpp"
 #include "editor/ui/outliner.hpp"
 #include "editor/ui/project_files.hpp"
 #include "editor/ui/viewport.hpp"
 #include "editor/window.hpp"
+#include "renderer/scene_cache.hpp"
 
 namespace steradian::ui {
 
@@ -62,6 +65,7 @@ class Application {
   void carryOut(const Select& request);
   void carryOut(const LookThrough& request);
   void carryOut(const ChooseSky& request);
+  void carryOut(const CancelLoading& request);
   void runFileCommand(Command command);
   void runEditCommand(Command command);
   void runViewCommand(Command command);
@@ -79,11 +83,19 @@ class Application {
   void browse(FileBrowser::Purpose purpose, const std::filesystem::path& start,
               std::function<void(const std::filesystem::path&)> chosen);
   void saveAs();
-  void openFile(const std::filesystem::path& path);
   void browseToOpen();
-  void importFile(const std::filesystem::path& path);
   void startExport(const StillSettings& settings);
   void saveScreenshot();
+
+  // load_actions.cpp: what is read on the worker
+  void openFile(const std::filesystem::path& path);
+  void importFile(const std::filesystem::path& path);
+  void takeImported(const ReadScene& read);
+  void readSky(const std::filesystem::path& path, std::optional<Id> light);
+  void prepare(const Scene& scene, LoadStatus& status, Extent film);  // on the worker
+  std::function<void(const std::string&)> dropping(const std::filesystem::path& path);
+  void takeLoaded();
+  void ignoreEdits();
 
   Window window_;
   SurfaceSource surface_;
@@ -93,6 +105,7 @@ class Application {
   Messages messages_;
   ProjectFiles files_;
   Presenter presenter_;
+  std::shared_ptr<SceneCache> cache_ = std::make_shared<SceneCache>();
   LiveRender live_;
   ImguiVulkan imgui_;
 
@@ -117,6 +130,9 @@ class Application {
   std::function<void(const std::filesystem::path&)> chosen_;  // what the file browser is for
   bool addMenuWanted_ = false, paused_ = false, quit_ = false, screenshotWanted_ = false;
   bool reportValidation_ = false;
+  bool starting_ = false;  // the file of the command line is still being read: there is no scene to show
+  FrameTimes frameTimes_ = FrameTimes::fromEnvironment();
+  Loading loading_{Window::wake};  // last: its worker ends before what it uses
 };
 
 }  // namespace steradian::ui

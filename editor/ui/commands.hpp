@@ -80,6 +80,8 @@ struct LookThrough {
 struct ChooseSky {
   Id light = Id::none;  // the environment light that gets an image
 };
-using Request = std::variant<Run, OpenFile, ImportFiles, AddObject, Select, LookThrough, ChooseSky>;
+struct CancelLoading {};
+using Request =
+    std::variant<Run, OpenFile, ImportFiles, AddObject, Select, LookThrough, ChooseSky, CancelLoading>;
 
 }  // namespace steradian::ui

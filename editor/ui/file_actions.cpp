@@ -40,6 +40,7 @@ void Application::runFileCommand(Command command) {
       screenshotWanted_ = true;
       break;
     case Command::quit:
+      if (loading_.modal()) loading_.cancel();
       guarded([this] { quit_ = true; });
       break;
     default:
@@ -85,41 +86,11 @@ void Application::browseToOpen() {
          [this](const fs::path& path) { openFile(path); });
 }
 
-void Application::openFile(const fs::path& path) {
-  if (std::optional<Document> opened = files_.load(path)) show(std::move(*opened));
-}
-
-void Application::carryOut(const ImportFiles& request) {
-  for (const fs::path& path : request.paths) importFile(path);
-}
-
-void Application::importFile(const fs::path& path) {
-  if (files_.isSky(path)) {
-    if (std::optional<Scene> next = files_.withSky(document_, skyOf(document_.committed()), path))
-      edit(std::move(*next), "Choose sky");
-    return;
-  }
-  std::optional<edits::Merged> merged = files_.import(document_, path);
-  if (!merged) return;
-  edit(std::move(merged->scene), "Import " + path.filename().string());
-  document_.selectOnly(merged->group);
-  frameObjects(&merged->objects);
-}
-
-void Application::carryOut(const ChooseSky& request) {
-  const fs::path start = projectFolderOf(document_.path());
-  browse({"Choose a sky", "Choose", false, {".exr", ".hdr"}}, start,
-         [this, light = request.light](const fs::path& path) {
-           if (std::optional<Scene> next = files_.withSky(document_, light, path))
-             edit(std::move(*next), "Choose sky");
-         });
-}
-
 void Application::startExport(const StillSettings& settings) {
   try {
     const Scene& scene = document_.committed();
     const CameraView view = settings.fromView ? viewOf(view_, scene) : cameraView(scene);
-    job_.emplace(device_, scene, view, tonemapperFor(plugins_, scene.display), settings);
+    job_.emplace(device_, cache_, scene, view, tonemapperFor(plugins_, scene.display), settings);
   } catch (const std::exception& error) {
     messages_.error(error.what());
   }

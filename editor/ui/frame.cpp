@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/ui/application.hpp"
+#include "editor/ui/loading_view.hpp"
 #include "editor/ui/shortcuts.hpp"
 #include "editor/ui/status_bar.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kTraceBudgetMs = 20.0;
 constexpr double kExportBudgetMs = 25.0;       // while a person works
 constexpr double kIdleExportBudgetMs = 100.0;  // while nobody touches anything: frames cost the export time
 constexpr double kRestingWait = 0.05;          // seconds between frames when nothing moves
+constexpr double kLoadingWait = 0.15;          // while a person waits for a file: the cores are for that
 
 bool touched() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -30,6 +32,7 @@ bool Application::resting() const {
 }
 
 double Application::waitSeconds() const {
+  if (loading_.modal() && !job_) return kLoadingWait;
   const bool working = job_ || (!paused_ && !resting());
   if (window_.framebuffer() == Extent{}) return job_ ? 0.0 : 0.1;
   return working ? 0.0 : kRestingWait;
@@ -48,6 +51,7 @@ void Application::takeWindowEvents() {
 
 void Application::frame() {
   window_.poll(waitSeconds());
+  frameTimes_.begin();
   takeWindowEvents();
   imgui_.beginFrame();
   labels_.begin();
@@ -65,12 +69,15 @@ void Application::frame() {
   imgui_.endFrame();
   labels_.end();
 
+  if (loading_.modal()) ignoreEdits();
   settleEdit();
   if (!held && document_.previewing()) document_.commit(pendingName_);
   carryOutRequests();
+  takeLoaded();
   window_.setTitle(document_.title() + " - Steradian");
   advanceExport();
   updatePicture();
+  frameTimes_.end();
 }
 
 void Application::settleEdit() {
@@ -109,7 +116,9 @@ void Application::drawPanels(Ui& ui) {
   if (options_.inspector) {
     beginPanel("inspector", layout_.inspector);
     const Scene& scene = document_.scene();
-    keep(inspector(ui, inspector_, {scene, document_, viewOf(view_, scene), view_.throughCamera, plugins_}));
+    keep(inspector(
+        ui, inspector_,
+        {scene, document_, viewOf(view_, scene), view_.throughCamera, plugins_, *cache_, live_.stats()}));
     ImGui::End();
   }
   if (options_.messages) {
@@ -147,9 +156,12 @@ void Application::drawDialogs(Ui& ui) {
            [this](const std::filesystem::path& path) { export_.setPath(path); });
   if (wanted.start) startExport(*wanted.start);
   info_.draw(ui, systemInformation());
-  if (!job_) return;
   const ViewRect& view = layout_.viewport;
-  const JobWish wish = drawJob(ui, *job_, {view.min.x + view.size.x, view.min.y + view.size.y});
+  const ImVec2 corner{view.min.x + view.size.x, view.min.y + view.size.y};
+  if (drawLoading(ui, loading_, job_ ? ImVec2(corner.x, corner.y - ui.px(140)) : corner))
+    ui.ask(CancelLoading{});
+  if (!job_) return;
+  const JobWish wish = drawJob(ui, *job_, corner);
   if (wish != JobWish::goOn) jobWish_ = wish;
 }
 
@@ -164,9 +176,10 @@ void Application::updatePicture() {
   const Extent framebuffer = window_.framebuffer();
   if (framebuffer == Extent{}) return;
   const Extent film = filmSize();
-  live_.show(document_.snapshot(), viewOf(view_, document_.scene()), film);
-  // While a still is exported the viewport only follows edits.
-  if (!paused_ && (!job_ || live_.stats().samples == 0))
+  if (!starting_) live_.show(document_.snapshot(), viewOf(view_, document_.scene()), film);
+  // While a still is exported or a file is read the viewport only follows edits.
+  const bool otherWork = job_ || loading_.modal();
+  if (!paused_ && (!otherWork || live_.stats().samples == 0))
     live_.advance(kTraceBudgetMs, std::uint64_t(options_.sampleLimit));
   const float pixels = window_.scale().pixelsPerUnit;
   const ViewRect rect = picture();

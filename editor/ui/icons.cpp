@@ -3,13 +3,12 @@
 #include "editor/ui/icons.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace steradian::ui {
 
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 /// Draws in units of half the icon's size around its centre.
 struct Pen {
@@ -27,7 +26,8 @@ struct Pen {
     list.AddCircle(at(x, y), radius * half, color, 0, width());
   }
   void dot(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), radius * half, color); }
-  void ellipse(float x, float y, float rx, float ry, float from = 0.0f, float to = 2.0f * kPi) const {
+  void ellipse(float x, float y, float rx, float ry, float from = 0.0f,
+               float to = 2.0f * std::numbers::pi_v<float>) const {
     constexpr int kSteps = 16;
     for (int i = 0; i <= kSteps; ++i) {
       const float angle = from + (to - from) * float(i) / kSteps;
@@ -43,7 +43,7 @@ struct Pen {
 
 void draw(const Pen& pen, const Sphere&) {
   pen.circle(0, 0, 0.85f);
-  pen.ellipse(0, 0, 0.85f, 0.3f, 0.0f, kPi);
+  pen.ellipse(0, 0, 0.85f, 0.3f, 0.0f, std::numbers::pi_v<float>);
 }
 void draw(const Pen& pen, const Plane&) {
   pen.outline({{-0.35f, -0.4f}, {1.0f, -0.4f}, {0.35f, 0.5f}, {-1.0f, 0.5f}});
@@ -64,7 +64,7 @@ void draw(const Pen& pen, const Disk&) {
 }
 void draw(const Pen& pen, const Cylinder&) {
   pen.ellipse(0, -0.6f, 0.7f, 0.28f);
-  pen.ellipse(0, 0.6f, 0.7f, 0.28f, 0.0f, kPi);
+  pen.ellipse(0, 0.6f, 0.7f, 0.28f, 0.0f, std::numbers::pi_v<float>);
   pen.line(-0.7f, -0.6f, -0.7f, 0.6f);
   pen.line(0.7f, -0.6f, 0.7f, 0.6f);
 }
@@ -75,7 +75,8 @@ void draw(const Pen& pen, const MeshShape&) {
 void draw(const Pen& pen, const PointLight&) {
   pen.circle(0, 0, 0.38f);
   for (int i = 0; i < 8; ++i) {
-    const float x = std::cos(float(i) * kPi / 4), y = std::sin(float(i) * kPi / 4);
+    const float x = std::cos(float(i) * std::numbers::pi_v<float> / 4),
+                y = std::sin(float(i) * std::numbers::pi_v<float> / 4);
     pen.line(0.62f * x, 0.62f * y, 0.98f * x, 0.98f * y);
   }
 }
@@ -110,7 +111,7 @@ void draw(const Pen& pen, const DiskLight&) {
   rays(pen, 0.35f);
 }
 void draw(const Pen& pen, const EnvironmentLight&) {
-  pen.ellipse(0, 0.35f, 0.95f, 0.95f, kPi, 2.0f * kPi);
+  pen.ellipse(0, 0.35f, 0.95f, 0.95f, std::numbers::pi_v<float>, 2.0f * std::numbers::pi_v<float>);
   pen.line(-0.95f, 0.35f, 0.95f, 0.35f);
   pen.dot(0.3f, -0.05f, 0.2f);
 }
@@ -141,7 +142,7 @@ void drawEye(ImDrawList& list, ImVec2 center, float size, bool open, ImU32 color
     pen.ellipse(0, 0, 1.0f, 0.58f);
     pen.dot(0, 0, 0.32f);
   } else {
-    pen.ellipse(0, -0.2f, 1.0f, 0.6f, 0.15f, kPi - 0.15f);
+    pen.ellipse(0, -0.2f, 1.0f, 0.6f, 0.15f, std::numbers::pi_v<float> - 0.15f);
   }
 }
 

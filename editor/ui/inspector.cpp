@@ -24,7 +24,7 @@ std::optional<Edit> activeObject(Ui& ui, InspectorState& state, const InspectorI
   std::optional<Edit> edit = inspectObject(ui, input.scene, *object);
   keep(edit, inspectTransform(ui, state.euler, input.scene, *object));
   if (std::holds_alternative<Geometry>(object->content)) {
-    keep(edit, inspectShape(ui, input.scene, *object));
+    keep(edit, inspectShape(ui, input, *object));
     keep(edit, inspectMaterial(ui, input, *object));
   }
   if (std::holds_alternative<Light>(object->content)) keep(edit, inspectLight(ui, input.scene, *object));
@@ -58,6 +58,7 @@ std::optional<Edit> inspector(Ui& ui, InspectorState& state, const InspectorInpu
   }
   if (beginTab(ui, "Render", "How light is simulated")) {
     keep(edit, inspectRender(ui, input.scene));
+    inspectStatistics(ui, input);
     endTab();
   }
   if (beginTab(ui, "Display", "How radiance is shown and written to PNG")) {

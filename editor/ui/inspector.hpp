@@ -6,7 +6,10 @@
 
 #include "editor/document.hpp"
 #include "editor/ui/ui.hpp"
+#include "editor/ui/widgets.hpp"
 #include "plugins/host/plugin_host.hpp"
+#include "renderer/renderer.hpp"
+#include "renderer/scene_cache.hpp"
 
 namespace steradian::ui {
 
@@ -29,6 +32,8 @@ struct InspectorInput {
   CameraView view;   // where the editor looks from
   Id throughCamera;  // the camera looked through, none = the free view
   const plugins::PluginHost& plugins;
+  const SceneCache& cache;  // what meshes and textures take on the device
+  const RenderStats& stats;
 };
 
 std::optional<Edit> inspector(Ui& ui, InspectorState& state, const InspectorInput& input);
@@ -36,11 +41,14 @@ std::optional<Edit> inspector(Ui& ui, InspectorState& state, const InspectorInpu
 // Its parts, each in a file of its own; each returns the edit that a person made in it.
 std::optional<Edit> inspectObject(Ui& ui, const Scene& scene, const Object& object);
 std::optional<Edit> inspectTransform(Ui& ui, EulerMemory& euler, const Scene& scene, const Object& object);
-std::optional<Edit> inspectShape(Ui& ui, const Scene& scene, const Object& object);
+std::optional<Edit> inspectShape(Ui& ui, const InspectorInput& input, const Object& object);
 std::optional<Edit> inspectMaterial(Ui& ui, const InspectorInput& input, const Object& object);
 std::optional<Edit> inspectLight(Ui& ui, const Scene& scene, const Object& object);
 std::optional<Edit> inspectCamera(Ui& ui, const InspectorInput& input, const Object& object);
 std::optional<Edit> inspectRender(Ui& ui, const Scene& scene);
+/// Rows that only inform: the textures of a material, and what the whole scene holds.
+void textureRows(Fields& fields, const Material& material, const SceneCache& cache);
+void inspectStatistics(Ui& ui, const InspectorInput& input);
 std::optional<Edit> inspectDisplay(Ui& ui, const InspectorInput& input);
 
 /// The scene with `camera` placed so that it sees `view`.

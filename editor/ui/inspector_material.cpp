@@ -186,6 +186,7 @@ std::optional<Edit> inspectMaterial(Ui& ui, const InspectorInput& input, const O
   transmissionFields(fields, next);
   clearcoatFields(fields, next);
   emissionFields(fields, next);
+  textureRows(fields, *material, input.cache);
   const bool furnace = ImGui::TreeNode("Furnace");
   ui.mark("material/Furnace view");
   if (furnace) {

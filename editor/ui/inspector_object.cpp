@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/ui/inspector.hpp"
+#include "editor/ui/status_bar.hpp"
 #include "editor/ui/widgets.hpp"
 
 namespace steradian::ui {
@@ -57,6 +58,7 @@ void keepAwayFromZero(glm::dvec3& scale) {
 /// Draws the sizes of one kind of shape; true when one changed.
 struct ShapeFields {
   Fields& fields;
+  const SceneCache& cache;
   bool operator()(Sphere& s) {
     return fields.number(lengthField("Radius", "Radius of the sphere.", 1), s.radius);
   }
@@ -74,8 +76,10 @@ struct ShapeFields {
     return fields.number(lengthField("Height", "Length along the object's Y axis.", 2), c.height) || radius;
   }
   bool operator()(MeshShape& s) {
-    fields.note("Triangles", std::to_string(s.mesh->triangles.size()), "Objects may share one mesh.");
-    fields.note("Vertices", std::to_string(s.mesh->positions.size()));
+    fields.note("Triangles", countText(s.mesh->triangles.size()), "Objects may share one mesh.");
+    fields.note("Vertices", countText(s.mesh->positions.size()));
+    fields.note("Memory", memoryText(cache.meshes.bytesOf(*s.mesh)),
+                "What the mesh takes on the device, once for all objects that share it.");
     return false;
   }
 };
@@ -135,12 +139,12 @@ std::optional<Edit> inspectTransform(Ui& ui, EulerMemory& euler, const Scene& sc
   return Edit{edits::setTransform(scene, object.id, next), verb + object.name};
 }
 
-std::optional<Edit> inspectShape(Ui& ui, const Scene& scene, const Object& object) {
+std::optional<Edit> inspectShape(Ui& ui, const InspectorInput& input, const Object& object) {
   if (!section(ui, "Shape")) return std::nullopt;
   Fields fields(ui, "shape");
   Geometry next = std::get<Geometry>(object.content);
-  if (!std::visit(ShapeFields{fields}, next.shape)) return std::nullopt;
-  return Edit{edits::setContent(scene, object.id, next), fields.changeName() + " of " + object.name};
+  if (!std::visit(ShapeFields{fields, input.cache}, next.shape)) return std::nullopt;
+  return Edit{edits::setContent(input.scene, object.id, next), fields.changeName() + " of " + object.name};
 }
 
 }  // namespace steradian::ui

@@ -15,6 +15,7 @@ class Messages {
   void note(std::string text) { add(Kind::note, std::move(text)); }
   void warning(std::string text) { add(Kind::warning, std::move(text)); }
   void error(std::string text) { add(Kind::error, std::move(text)); }
+  void add(Kind kind, std::string text);
   int errors() const;
 
   void draw(Ui& ui);
@@ -27,7 +28,6 @@ class Messages {
   };
   static constexpr std::size_t kMost = 500;
 
-  void add(Kind kind, std::string text);
   void drawLine(Ui& ui, const Line& line) const;
 
   std::deque<Line> lines_;

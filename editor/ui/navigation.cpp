@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace steradian::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kPitchLimit = 0.5 * kPi - 1e-3;  // yaw is undefined straight up
+constexpr double kPitchLimit = 0.5 * std::numbers::pi - 1e-3;  // yaw is undefined straight up
 constexpr double kMinDistance = 1e-6, kMaxDistance = 1e12;
 
 }  // namespace
@@ -46,8 +46,8 @@ void OrbitView::setPivotDistance(double distance) {
 }
 
 void OrbitView::orbit(double right, double down) {
-  yaw_ = std::remainder(yaw_ - right * kPi, 2.0 * kPi);
-  pitch_ = std::clamp(pitch_ - down * kPi, -kPitchLimit, kPitchLimit);
+  yaw_ = std::remainder(yaw_ - right * std::numbers::pi, 2.0 * std::numbers::pi);
+  pitch_ = std::clamp(pitch_ - down * std::numbers::pi, -kPitchLimit, kPitchLimit);
 }
 
 void OrbitView::pan(double right, double down) {

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
-#include <vector>
+#include <unordered_set>
 
 #include "editor/ui/icons.hpp"
 #include "editor/ui/style.hpp"
@@ -33,8 +32,7 @@ class Tree {
         document_(document),
         scene_(document.scene()),
         search_(lowered(state.search)) {
-    for (const Object& object : scene_.objects)
-      children_[find(scene_, object.parent) ? object.parent : Id::none].push_back(&object);
+    state.tree.follow(document.snapshot());
   }
 
   std::optional<Edit> draw() {
@@ -44,26 +42,39 @@ class Tree {
 
  private:
   void drawChildren(Id parent) {
-    const auto found = children_.find(parent);
-    if (found == children_.end()) return;
-    for (const Object* object : found->second) {
+    const auto found = state_.tree.children.find(parent);
+    if (found == state_.tree.children.end()) return;
+    for (const std::size_t index : found->second) {
+      const Object& object = scene_.objects[index];
       if (search_.empty()) {
-        drawObject(*object);
+        drawObject(object, state_.tree.visible[index]);
       } else {
-        if (lowered(object->name).find(search_) != std::string::npos) drawRow(*object, true);
-        drawChildren(object->id);
+        if (lowered(object.name).find(search_) != std::string::npos)
+          drawRow(object, true, state_.tree.visible[index]);
+        drawChildren(object.id);
       }
     }
   }
 
-  void drawObject(const Object& object) {
-    const bool leaf = !children_.contains(object.id);
-    if (!drawRow(object, leaf) || leaf) return;
+  void drawObject(const Object& object, bool shown) {
+    const bool leaf = !state_.tree.children.contains(object.id);
+    if (!drawRow(object, leaf, shown) || leaf) return;
     drawChildren(object.id);
     ImGui::TreePop();
   }
 
-  bool drawRow(const Object& object, bool leaf) {
+  /// Leaves that are scrolled out of sight only take their place: a scene may have very many.
+  bool outOfSight(const Object& object, bool leaf) const {
+    const bool wanted =
+        state_.renaming == object.id || (document_.active() == object.id && state_.shownActive != object.id);
+    return leaf && !wanted && !ImGui::IsRectVisible({1.0f, ImGui::GetFrameHeight()});
+  }
+
+  bool drawRow(const Object& object, bool leaf, bool shown) {
+    if (outOfSight(object, leaf)) {
+      ImGui::Dummy({0.0f, ImGui::GetFrameHeight()});
+      return false;
+    }
     ImGui::PushID(int(object.id));
     ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_SpanFullWidth | ImGuiTreeNodeFlags_AllowItemOverlap |
                                ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_DefaultOpen |
@@ -81,7 +92,7 @@ class Tree {
       ImGui::SetScrollHereY(0.5f);
       state_.shownActive = object.id;
     }
-    drawContent(object);
+    drawContent(object, shown);
     ImGui::PopID();
     return open;
   }
@@ -146,9 +157,8 @@ class Tree {
     edit_ = Edit{edits::setParent(scene_, moved, parent), "Reparent"};
   }
 
-  void drawContent(const Object& object) {
+  void drawContent(const Object& object, bool shown) {
     const ImVec2 rowMin = ImGui::GetItemRectMin(), rowMax = ImGui::GetItemRectMax();
-    const bool shown = visibleInHierarchy(scene_, object.id);
     ImGui::SameLine(0, 0);
     const float icon = ImGui::GetFontSize() * 0.82f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -206,11 +216,23 @@ class Tree {
   const Document& document_;
   const Scene& scene_;
   std::string search_;
-  std::map<Id, std::vector<const Object*>> children_;
   std::optional<Edit> edit_;
 };
 
 }  // namespace
+
+void OutlinerTree::follow(const Snapshot& next) {
+  if (scene == next) return;
+  scene = next;
+  children.clear();
+  std::unordered_set<Id> there;
+  for (const Object& object : scene->objects) there.insert(object.id);
+  for (std::size_t i = 0; i < scene->objects.size(); ++i) {
+    const Id parent = scene->objects[i].parent;
+    children[there.contains(parent) ? parent : Id::none].push_back(i);
+  }
+  visible = hierarchyVisibility(*scene);
+}
 
 std::optional<Edit> outliner(Ui& ui, OutlinerState& state, const Document& document) {
   if (button(ui, "+ Add", "outliner/Add", "Add a shape, light, camera or group (Shift+A)"))

@@ -3,6 +3,7 @@
 #include "editor/ui/overlay.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "editor/ui/icons.hpp"
 #include "editor/ui/style.hpp"
@@ -11,7 +12,6 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kCircleSteps = 48;
 
 /// Draws one object's outline in its own coordinates.
@@ -56,7 +56,8 @@ class Wire {
     for (const double y : {-0.5 * c.height, 0.5 * c.height})
       circle({0, y, 0}, {c.radius, 0, 0}, {0, 0, c.radius});
     for (int i = 0; i < 4; ++i) {
-      const double x = c.radius * std::cos(i * kPi / 2), z = c.radius * std::sin(i * kPi / 2);
+      const double x = c.radius * std::cos(i * std::numbers::pi / 2),
+                   z = c.radius * std::sin(i * std::numbers::pi / 2);
       line({x, -0.5 * c.height, z}, {x, 0.5 * c.height, z});
     }
   }
@@ -89,7 +90,8 @@ class Wire {
   }
   void circle(const glm::dvec3& center, const glm::dvec3& u, const glm::dvec3& v) const {
     for (int i = 0; i < kCircleSteps; ++i) {
-      const double a = 2 * kPi * i / kCircleSteps, b = 2 * kPi * (i + 1) / kCircleSteps;
+      const double a = 2 * std::numbers::pi * i / kCircleSteps,
+                   b = 2 * std::numbers::pi * (i + 1) / kCircleSteps;
       line(center + u * std::cos(a) + v * std::sin(a), center + u * std::cos(b) + v * std::sin(b));
     }
   }

@@ -37,6 +37,15 @@ std::vector<std::string> extensionsOf(const plugins::PluginHost& plugins, plugin
   return all;
 }
 
+/// A model is opened with a camera and light that it may lack; a project is meant as it is.
+void addFirstView(ReadScene& read) {
+  FirstView first = withFirstView(std::move(read.scene));
+  read.scene = std::move(first.scene);
+  if (!first.added.empty())
+    read.remarks.push_back({Messages::Kind::note, read.path.filename().string() +
+                                                      " has none of its own: added " + first.added + "."});
+}
+
 }  // namespace
 
 std::vector<std::string> ProjectFiles::importExtensions() const {
@@ -62,49 +71,67 @@ bool ProjectFiles::isSky(const fs::path& path) const {
   return extension == ".hdr" || extension == ".exr";
 }
 
-Scene ProjectFiles::read(const fs::path& path) {
-  const plugins::Progress progress{{}, {}, [this](const std::string& line) { messages_.note(line); }};
-  plugins::ImportResult result = plugins_.importScene(path, progress);
+ReadScene ProjectFiles::read(const fs::path& given, LoadStatus& status, const std::optional<fs::path>& into) {
+  ReadScene read{fs::absolute(fileIn(given)).lexically_normal(), {}, {}};
+  const plugins::Progress progress{[&](double fraction) { status.report(fraction); },
+                                   [&] { return status.cancelled(); },
+                                   [&](const std::string& line) {
+                                     read.remarks.push_back({Messages::Kind::note, line});
+                                   }};
+  status.enter("Reading", 0.0, 0.6);
+  plugins::ImportResult result = plugins_.importScene(read.path, progress);
   for (const plugins::ImportReport::Line& line : result.report.notKept)
-    messages_.warning(path.filename().string() + ": " + line.what + ": " + line.why);
-  for (const AssetProblem& problem : assets_.load(result.scene, path.parent_path()))
-    problem.missing ? messages_.error(problem.message + "; until then the sky shows its gradient alone.")
-                    : messages_.warning(problem.message);
-  return std::move(result.scene);
+    read.remarks.push_back(
+        {Messages::Kind::warning, read.path.filename().string() + ": " + line.what + ": " + line.why});
+  // Named anew first: what is decoded then keeps its identity.
+  const fs::path here = read.path.parent_path();
+  const fs::path home = into ? *into : isProject(read.path) ? here : fs::path();
+  read.scene = std::move(result.scene);
+  if (home != here) read.scene = withAssetsNamedFrom(std::move(read.scene), here, home);
+  status.enter("Decoding images", 0.6, 0.75);
+  for (const AssetProblem& problem : assets_.load(read.scene, home))
+    read.remarks.push_back(problem.missing
+                               ? Remark{Messages::Kind::error,
+                                        problem.message + "; until then the sky shows its gradient alone."}
+                               : Remark{Messages::Kind::warning, problem.message});
+  if (!into && !isProject(read.path)) addFirstView(read);
+  return read;
 }
 
-std::optional<Document> ProjectFiles::load(const fs::path& given) {
-  try {
-    const fs::path path = fs::absolute(fileIn(given)).lexically_normal();
-    Scene scene = read(path);
-    recent_.add(path);
-    messages_.note("Opened " + path.string() + ".");
-    if (isProject(path)) return Document(std::move(scene), path);
-    FirstView first = withFirstView(std::move(scene));
-    if (!first.added.empty())
-      messages_.note(path.filename().string() + " has none of its own: added " + first.added + ".");
-    // What cannot be written back is a new project.
-    Document imported(withAssetsNamedFrom(std::move(first.scene), path.parent_path(), {}));
-    imported.markUnsaved();
-    return imported;
-  } catch (const std::exception& error) {
-    messages_.error(error.what());
-    recent_.remove(given);
-    return std::nullopt;
-  }
+ReadSky ProjectFiles::readSky(const fs::path& path) {
+  ReadSky read{fs::absolute(path).lexically_normal(), nullptr, {}};
+  std::vector<AssetProblem> problems;
+  read.image = assets_.image(read.path, problems);
+  for (AssetProblem& problem : problems)
+    read.remarks.push_back({Messages::Kind::warning, std::move(problem.message)});
+  return read;
 }
 
-std::optional<edits::Merged> ProjectFiles::import(const Document& document, const fs::path& given) {
-  try {
-    const fs::path path = fs::absolute(fileIn(given)).lexically_normal();
-    const Scene scene = withAssetsNamedFrom(read(path), path.parent_path(), projectFolderOf(document.path()));
-    edits::Merged merged = edits::merge(document.committed(), scene, path.stem().string());
-    messages_.note("Imported " + path.string() + ".");
-    return merged;
-  } catch (const std::exception& error) {
-    messages_.error(error.what());
-    return std::nullopt;
-  }
+void ProjectFiles::tell(const std::vector<Remark>& remarks) {
+  for (const auto& [kind, text] : remarks) messages_.add(kind, text);
+}
+
+void ProjectFiles::failed(const fs::path& path, const std::string& reason) {
+  messages_.error(reason);
+  recent_.remove(path);
+}
+
+Document ProjectFiles::open(ReadScene read) {
+  tell(read.remarks);
+  recent_.add(read.path);
+  messages_.note("Opened " + read.path.string() + ".");
+  if (isProject(read.path)) return Document(std::move(read.scene), read.path);
+  // What cannot be written back is a new project.
+  Document imported(std::move(read.scene));
+  imported.markUnsaved();
+  return imported;
+}
+
+edits::Merged ProjectFiles::import(const Document& document, const ReadScene& read) {
+  edits::Merged merged = edits::merge(document.committed(), read.scene, read.path.stem().string());
+  tell(read.remarks);
+  messages_.note("Imported " + read.path.string() + ".");
+  return merged;
 }
 
 Id skyOf(const Scene& scene) {
@@ -117,7 +144,7 @@ Id skyOf(const Scene& scene) {
   return Id::none;
 }
 
-std::optional<Scene> ProjectFiles::withSky(const Document& document, Id light, const fs::path& image) {
+std::optional<Scene> ProjectFiles::withSky(const Document& document, Id light, const ReadSky& read) {
   Scene scene = document.committed();
   if (light == Id::none) {
     edits::Added added =
@@ -127,16 +154,16 @@ std::optional<Scene> ProjectFiles::withSky(const Document& document, Id light, c
   }
   const Object* object = find(scene, light);
   const Light* found = object ? std::get_if<Light>(&object->content) : nullptr;
-  if (!found || !std::holds_alternative<EnvironmentLight>(found->kind)) return std::nullopt;
-  const fs::path folder = projectFolderOf(document.path());
+  if (!found || !std::holds_alternative<EnvironmentLight>(found->kind)) {
+    messages_.warning(read.path.string() + ": the light that it was chosen for is gone.");
+    return std::nullopt;
+  }
+  tell(read.remarks);
   Light next = *found;
-  std::get<EnvironmentLight>(next.kind).file = assetName(image, folder);
-  scene = edits::setContent(std::move(scene), light, next);
-  for (const AssetProblem& problem : assets_.load(scene, folder))
-    problem.missing ? messages_.error(problem.message) : messages_.warning(problem.message);
-  const Light& loaded = std::get<Light>(find(scene, light)->content);
-  if (!std::get<EnvironmentLight>(loaded.kind).image) return std::nullopt;
-  return scene;
+  auto& sky = std::get<EnvironmentLight>(next.kind);
+  sky.file = assetName(read.path, projectFolderOf(document.path()));
+  sky.image = read.image;
+  return edits::setContent(std::move(scene), light, next);
 }
 
 bool ProjectFiles::save(Document& document, const fs::path& path) {

@@ -47,6 +47,16 @@ void healthFigures(Ui& ui, const RenderStats& stats) {
            color::kError);
 }
 
+void memoryFigure(Ui& ui, const RenderStats& stats) {
+  const std::size_t bytes = stats.meshBytes + stats.textureBytes + stats.skyBytes;
+  if (bytes == 0) return;
+  const std::string help = "What the scene takes on the device: meshes " + memoryText(stats.meshBytes) +
+                           ", textures " + memoryText(stats.textureBytes) + ", sky " +
+                           memoryText(stats.skyBytes) +
+                           ". Objects that share a mesh or a texture share its memory.";
+  figure(ui, "memory", "memory " + memoryText(bytes), help.c_str());
+}
+
 void deviceFigures(Ui& ui, const StatusInput& input) {
   const DeviceDescription& device = input.device;
   const std::string tip =
@@ -81,6 +91,11 @@ std::string duration(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
 }
 
+std::string memoryText(std::size_t bytes) {
+  if (bytes < std::size_t(1) << 20) return formatted("%.1f KiB", double(bytes) / 1024);
+  return formatted(bytes < std::size_t(1) << 30 ? "%.1f MiB" : "%.0f MiB", double(bytes) / (1 << 20));
+}
+
 std::string countText(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), 1, ',');
@@ -89,7 +104,10 @@ std::string countText(std::uint64_t count) {
 
 void statusBar(Ui& ui, const StatusInput& input) {
   const RenderStats& stats = input.stats;
-  const char* state = input.paused ? "paused" : input.resting ? "done" : "rendering";
+  const char* state = input.paused      ? "paused"
+                      : input.resting   ? "done"
+                      : stats.compiling ? "compiling"
+                                        : "rendering";
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(ImColor(input.paused    ? color::kWarning
                              : input.resting ? color::kGood
@@ -97,7 +115,9 @@ void statusBar(Ui& ui, const StatusInput& input) {
                      "%s", state);
   ui.mark(std::string("status/") + state);
   if (ImGui::IsItemHovered())
-    tooltip("P pauses and resumes. View > Rest after sets when the viewport is done.");
+    tooltip(stats.compiling
+                ? "The scene needs a pipeline that is being compiled; until then the last picture stays."
+                : "P pauses and resumes. View > Rest after sets when the viewport is done.");
   figure(ui, "samples", countText(stats.samples) + (stats.samples == 1 ? " sample" : " samples"),
          "Per pixel, complete over the whole picture.");
   const bool known = stats.mraysPerSecond > 0.0;
@@ -109,6 +129,7 @@ void statusBar(Ui& ui, const StatusInput& input) {
          "Closest-hit and shadow rays.");
   errorFigure(ui, stats.error);
   healthFigures(ui, stats);
+  memoryFigure(ui, stats);
   deviceFigures(ui, input);
 }
 

@@ -20,5 +20,6 @@ void statusBar(Ui& ui, const StatusInput& input);
 std::string percent(double ratio);           // "1.25 %"
 std::string duration(double seconds);        // "1 min 5 s"
 std::string countText(std::uint64_t count);  // "12,345"
+std::string memoryText(std::size_t bytes);   // "80.1 MiB"
 
 }  // namespace steradian::ui

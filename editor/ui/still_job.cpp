@@ -17,16 +17,17 @@ constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
 
-StillJob::StillJob(std::shared_ptr<gpu::Device> device, const Scene& scene, const CameraView& view,
-                   const Tonemapper& tonemapper, StillSettings settings)
+StillJob::StillJob(std::shared_ptr<gpu::Device> device, std::shared_ptr<SceneCache> cache, const Scene& scene,
+                   const CameraView& view, const Tonemapper& tonemapper, StillSettings settings)
     : settings_(std::move(settings)),
-      renderer_(std::move(device)),
+      renderer_(std::move(device), std::move(cache)),
       seed_(scene.render.seed),
       sceneName_(scene.name) {
   Scene still = scene;
   still.render.width = settings_.size.width;
   still.render.height = settings_.size.height;
   if (settings_.byError) still.render.errorMeter = true;
+  renderer_.setPatient(true);
   renderer_.setTonemapper(tonemapper);
   renderer_.setDisplay(still.display);
   renderer_.setScene(still, view, settings_.size);

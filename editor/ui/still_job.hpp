@@ -25,8 +25,8 @@ struct StillSettings {
 class StillJob {
  public:
   /// Throws Error when the device cannot take the scene.
-  StillJob(std::shared_ptr<gpu::Device> device, const Scene& scene, const CameraView& view,
-           const Tonemapper& tonemapper, StillSettings settings);
+  StillJob(std::shared_ptr<gpu::Device> device, std::shared_ptr<SceneCache> cache, const Scene& scene,
+           const CameraView& view, const Tonemapper& tonemapper, StillSettings settings);
   ~StillJob();
 
   /// Traces for about `budgetMs`. True when the picture is done.

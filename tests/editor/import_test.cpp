@@ -33,6 +33,17 @@ class ImportTest : public testing::Test {
     return object ? std::get_if<EnvironmentLight>(&std::get<Light>(object->content).kind) : nullptr;
   }
 
+  /// As the frame loop sees a load that came through, and one that did not.
+  std::optional<edits::Merged> imported(const Document& document, const fs::path& file) {
+    LoadStatus status;
+    try {
+      return files.import(document, files.read(file, status, projectFolderOf(document.path())));
+    } catch (const Error& error) {
+      files.failed(file, error.what());
+      return std::nullopt;
+    }
+  }
+
   fs::path folder;
   static const plugins::PluginHost& host() {
     static const plugins::PluginHost stock({STOCK_PLUGINS});
@@ -44,7 +55,7 @@ class ImportTest : public testing::Test {
 
 TEST_F(ImportTest, a_model_comes_under_one_group_named_after_its_file) {
   const Document document = opened();
-  const auto merged = files.import(document, folder / "chair.obj");
+  const auto merged = imported(document, folder / "chair.obj");
   ASSERT_TRUE(merged);
   EXPECT_EQ(find(merged->scene, merged->group)->name, "chair");
   EXPECT_EQ(merged->objects.size(), 2u);
@@ -57,18 +68,35 @@ TEST_F(ImportTest, a_file_that_cannot_be_read_is_one_message_and_no_change) {
   std::ofstream(folder / "bad.obj") << "v 0 0 0\nf 1 2 3\n";
   for (const char* name : {"bad.obj", "lost.obj", "lost.xyz"}) {
     const int before = messages.errors();
-    EXPECT_FALSE(files.import(opened(), folder / name)) << name;
+    EXPECT_FALSE(imported(opened(), folder / name)) << name;
     EXPECT_EQ(messages.errors(), before + 1) << name;
   }
 }
 
 TEST_F(ImportTest, a_model_that_is_opened_is_seen_and_is_a_new_project) {
-  const auto document = files.load(folder / "chair.obj");
-  ASSERT_TRUE(document);
-  EXPECT_TRUE(document->unsaved());
-  EXPECT_TRUE(document->path().empty());
-  EXPECT_TRUE(skyIn(document->scene()));
-  EXPECT_EQ(document->scene().objects.size(), 4u);
+  LoadStatus status;
+  const Document document = files.open(files.read(folder / "chair.obj", status));
+  EXPECT_TRUE(document.unsaved());
+  EXPECT_TRUE(document.path().empty());
+  EXPECT_TRUE(skyIn(document.scene()));
+  EXPECT_EQ(document.scene().objects.size(), 4u);
+}
+
+TEST_F(ImportTest, a_cancelled_import_reads_no_further) {
+  LoadStatus status;
+  status.cancel();
+  EXPECT_THROW(files.read(folder / "chair.obj", status), Error);
+  EXPECT_EQ(messages.errors(), 0);
+}
+
+TEST_F(ImportTest, a_scene_that_is_only_read_changes_no_list_and_tells_nothing) {
+  LoadStatus status;
+  const ReadScene read = files.read(folder / "chair.obj", status);
+  EXPECT_EQ(read.path, folder / "chair.obj");
+  EXPECT_TRUE(files.recent().paths().empty());
+  EXPECT_EQ(status.shown().step, "Decoding images");
+  files.open(read);
+  EXPECT_EQ(files.recent().paths().size(), 1u);
 }
 
 TEST_F(ImportTest, an_imported_scene_keeps_its_files_by_name_from_where_it_is) {
@@ -76,7 +104,7 @@ TEST_F(ImportTest, an_imported_scene_keeps_its_files_by_name_from_where_it_is) {
   std::ofstream(folder / "lib/lamp.srad")
       << R"({"steradian": 2, "textures": [{"id": 1, "file": "t.png"}], "materials": [{"id": 1, "albedoTexture": {"texture": 1}}]})";
   const Document document(Scene{}, folder / "room.srad");
-  const auto merged = files.import(document, folder / "lib/lamp.srad");
+  const auto merged = imported(document, folder / "lib/lamp.srad");
   ASSERT_TRUE(merged);
   EXPECT_EQ(merged->scene.materials.at(0).albedoTexture.texture->file, "lib/t.png");
 }
@@ -86,17 +114,18 @@ TEST_F(ImportTest, a_sky_becomes_the_environment_light_or_a_new_one) {
                                                       << std::string("\x80\x80\x80\x81", 4);
   EXPECT_TRUE(files.isSky(folder / "sky.hdr"));
   const Document document = opened();
-  const auto first = files.withSky(document, skyOf(document.committed()), folder / "sky.hdr");
+  const ReadSky read = files.readSky(folder / "sky.hdr");
+  const auto first = files.withSky(document, skyOf(document.committed()), read);
   ASSERT_TRUE(first);
   ASSERT_TRUE(skyIn(*first) && skyIn(*first)->image);
   EXPECT_EQ(first->objects.size(), 2u);
   const Document again(*first, {});
-  const auto second = files.withSky(again, skyOf(*first), folder / "sky.hdr");
+  const auto second = files.withSky(again, skyOf(*first), read);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->objects.size(), 2u) << "the one that is there";
   std::ofstream(folder / "bad.hdr") << "#?RADIANCE\n";
-  EXPECT_FALSE(files.withSky(document, Id::none, folder / "bad.hdr"));
-  EXPECT_EQ(messages.errors(), 1);
+  EXPECT_THROW(files.readSky(folder / "bad.hdr"), Error);
+  EXPECT_FALSE(files.withSky(document, Id{1}, read)) << "no environment light";
 }
 
 }  // namespace

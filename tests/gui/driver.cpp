@@ -24,9 +24,12 @@ void pause(std::chrono::milliseconds time) {
 }
 
 Process::Environment environmentFor(const Screen& screen, const fs::path& folder) {
-  return {{"DISPLAY", screen.display()},        {"STERADIAN_UI_LABELS", folder / "labels.jsonl"},
-          {"STERADIAN_VALIDATION", "1"},        {"STERADIAN_PLUGIN_PATH", STERADIAN_TEST_PLUGINS},
-          {"XDG_STATE_HOME", folder / "state"}, {"HOME", folder}};
+  return {{"DISPLAY", screen.display()},
+          {"STERADIAN_UI_LABELS", folder / "labels.jsonl"},
+          {"STERADIAN_VALIDATION", "1"},
+          {"STERADIAN_PLUGIN_PATH", STERADIAN_TEST_PLUGINS ":" STERADIAN_TEST_WAITING},
+          {"XDG_STATE_HOME", folder / "state"},
+          {"HOME", folder}};
 }
 
 std::vector<std::string> commandWith(const std::vector<std::string>& arguments) {
@@ -105,6 +108,10 @@ void Driver::pointAt(const std::string& label, double across) {
   xdotool("mousemove --window " + window_ + " " + std::to_string(area.x + int(across * area.width)) + " " +
           std::to_string(area.y + area.height / 2));
   pause(kHold);
+}
+
+void Driver::resize(int width, int height) {
+  xdotool("windowsize " + window_ + " " + std::to_string(width) + " " + std::to_string(height));
 }
 
 void Driver::click(const std::string& label, double across) {

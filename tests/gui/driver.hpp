@@ -28,6 +28,7 @@ class Driver {
   void click(const std::string& label, double across = 0.5);
   void doubleClick(const std::string& label);
   void scrollDown(const std::string& label, int notches);
+  void resize(int width, int height);
   void key(const std::string& keys);  // "ctrl+z"
   void type(const std::string& text);
 

@@ -17,6 +17,21 @@ TEST_F(ImportTask, import_a_model_save_it_and_take_it_back) {
   Driver editor(*screen_, folder_);
   openHello(editor);
   restAfter16Samples(editor);
+
+  // One that never ends: the window goes on, and cancelling gives everything back
+  std::ofstream(folder_ / "endless.wait") << "x";
+  editor.click("menu/File");
+  editor.click("File/Import...");
+  chooseFile(editor, folder_ / "endless.wait");
+  editor.await("loading/Progress");
+  const int statusBefore = editor.await("status/samples").y;
+  editor.resize(1000, 640);
+  for (int i = 0; i < 100 && editor.await("status/samples").y == statusBefore; ++i)
+    std::this_thread::sleep_for(50ms);
+  EXPECT_NE(editor.await("status/samples").y, statusBefore) << "frames are drawn while a file is read";
+  keepScreenshot("loading");
+  editor.click("loading/Cancel");
+  EXPECT_EQ(editor.title(), "hello.srad - Steradian");
   const Image before = restingPicture(editor);
 
   editor.click("menu/File");
