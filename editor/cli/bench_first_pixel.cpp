@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Time from process start to the first pixel, in fresh processes with empty or filled caches.
 #include <spawn.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +9,7 @@
 
 #include "editor/assets.hpp"
 #include "editor/cli/bench.hpp"
+#include "editor/cli/bench_cache.hpp"
 #include "editor/cli/bench_scene.hpp"
 
 namespace steradian::bench {
@@ -17,40 +17,6 @@ namespace steradian::bench {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder for every cache of one cold start; removed with everything in it.
-class CacheFolder {
- public:
-  CacheFolder() {
-    std::string name = (fs::temp_directory_path() / "steradian-bench-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw Error(ExitCode::io, name + ": cannot be created: " + std::strerror(errno));
-    path_ = name;
-  }
-  ~CacheFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  CacheFolder(const CacheFolder&) = delete;
-  CacheFolder& operator=(const CacheFolder&) = delete;
-
-  /// This process's environment with all shader caches moved into the folder.
-  std::vector<std::string> environment() const {
-    constexpr const char* kCaches[] = {
-        "XDG_CACHE_HOME=", "MESA_SHADER_CACHE_DIR=", "__GL_SHADER_DISK_CACHE_PATH="};
-    std::vector<std::string> variables;
-    for (char** variable = environ; *variable; ++variable) {
-      bool cache = false;
-      for (const char* name : kCaches) cache = cache || std::strncmp(*variable, name, std::strlen(name)) == 0;
-      if (!cache) variables.emplace_back(*variable);
-    }
-    for (const char* name : kCaches) variables.push_back(name + path_.string());
-    return variables;
-  }
-
- private:
-  fs::path path_;
-};
 
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> out;

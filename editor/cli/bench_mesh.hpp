@@ -16,6 +16,7 @@ struct MeshBenchOptions {
   int runs = 5;                    // of which the fastest counts
   int side = 0;                    // rays per side of the square picture; 0 = by device
   unsigned threads = 2;            // Embree's, and of both builds
+  double warmUpMs = 700.0;         // a GPU that has been idle needs as long to reach its clock
   std::optional<bool> whileWhile;  // form of the loop over a mesh; absent = as the tracer on this device
 };
 
@@ -47,5 +48,7 @@ struct MeshBench {
 MeshBench measureMeshes(const MeshBenchOptions& options);
 std::string textOf(const MeshBench& bench);
 std::string jsonOf(const MeshBench& bench);
+/// Time per ray against triangles, both logarithmic, as SVG.
+std::string plotOf(const MeshBench& bench);
 
 }  // namespace steradian::bench

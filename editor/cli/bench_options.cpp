@@ -8,7 +8,10 @@
 
 #include "editor/cli/arguments.hpp"
 #include "editor/cli/bench.hpp"
+#include "editor/cli/bench_api.hpp"
+#include "editor/cli/bench_cache.hpp"
 #include "editor/cli/bench_mesh.hpp"
+#include "plugins/host/atomic_file.hpp"
 
 namespace steradian::bench {
 
@@ -17,8 +20,10 @@ namespace {
 struct Arguments {
   BenchOptions options;
   std::string size;
-  std::filesystem::path firstPixel;
+  std::filesystem::path firstPixel, plot;
   bool json = false, skipFirstPixel = false, noTargets = false;
+  bool apis = false;
+  std::uint64_t apiSamples = 16;  // per pixel and run
   bool meshes = false, ifIf = false, whileWhile = false;
   MeshBenchOptions meshOptions;
 };
@@ -32,6 +37,20 @@ int runMeshBench(const Arguments& arguments) {
   if (!arguments.size.empty()) options.side = cli::parseSize(arguments.size).width / 8 * 8;
   const MeshBench bench = measureMeshes(options);
   std::fputs((arguments.json ? jsonOf(bench) : textOf(bench)).c_str(), stdout);
+  if (!arguments.plot.empty()) plugins::writeFileAtomically(arguments.plot, plotOf(bench));
+  return 0;
+}
+
+int runApiBench(const Arguments& arguments) {
+  BenchOptions options = arguments.options;
+  if (options.projects.empty()) options.projects = {"projects/thesis-room", "projects/cornell"};
+  const CacheFolder caches;  // so that compiling counts in full
+  caches.use();
+  const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
+  std::vector<ApiBenchResult> results;
+  for (const auto& project : options.projects)
+    results.push_back(measureApis(host, project, options, arguments.apiSamples));
+  std::fputs((arguments.json ? jsonOf(results) : textOf(results)).c_str(), stdout);
   return 0;
 }
 
@@ -43,6 +62,7 @@ int runBench(Arguments arguments, const std::vector<std::string>& self) {
     return 0;
   }
   if (arguments.meshes) return runMeshBench(arguments);
+  if (arguments.apis) return runApiBench(arguments);
   if (options.projects.empty())
     throw Error(ExitCode::usage,
                 "bench: name at least one project, e.g. steradian bench projects/thesis-room");
@@ -82,6 +102,10 @@ std::function<int()> addBenchOptions(CLI::App& command, const std::vector<std::s
   command.add_option("--plugin-path", o.pluginPath, "Further folder with plugins; repeatable")
       ->allow_extra_args(false);
   command.add_flag("--json", arguments->json, "Machine-readable output");
+  command.add_flag("--api", arguments->apis,
+                   "Run the same kernel through Vulkan, OpenGL and C++ instead, and compare");
+  command.add_option("--spp", arguments->apiSamples, "With --api: samples per pixel of one run")
+      ->check(CLI::Range(1, 1'000'000));
   command.add_flag("--mesh", arguments->meshes,
                    "Measure rays through triangle meshes instead, beside Embree");
   command
@@ -90,6 +114,8 @@ std::function<int()> addBenchOptions(CLI::App& command, const std::vector<std::s
       ->check(CLI::Range(100, 40'000'000));
   command.add_option("--threads", arguments->meshOptions.threads, "With --mesh: of Embree and of the builds")
       ->check(CLI::Range(1, 256));
+  command.add_option("--plot", arguments->plot,
+                     "With --mesh: an SVG file for time per ray against triangles");
   command.add_flag("--if-if", arguments->ifIf, "With --mesh: one loop for nodes and triangles, as on GPUs");
   command.add_flag("--while-while", arguments->whileWhile, "With --mesh: a loop for each, as on CPU drivers")
       ->excludes("--if-if");

@@ -104,6 +104,7 @@ int runReport(const ReportOptions& options) {
   const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
   const fs::path folder = makeFolder(options.output);
   const auto device = openDevice({.device = options.device});
+  if (describe(*device).type != "CPU") measure.warmUpSeconds = 0.7;
   Renderer renderer(device);
   report::Report report{describe(*device), kVersion, commandLine(), {}};
   {

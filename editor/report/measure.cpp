@@ -54,6 +54,13 @@ class Measurement {
     prepare(renderer_, variant, scene_, view_, options_.film, seed);
   }
 
+  void warmUp(const Variant& variant) {
+    if (options_.warmUpSeconds <= 0.0) return;
+    start(variant, ~scene_.render.seed);
+    while (renderer_.stats().traceSeconds < options_.warmUpSeconds && renderer_.trace(kBatchMs)) {
+    }
+  }
+
   /// Goes on to `samples` in all.
   void traceTo(std::uint64_t samples, const std::string& doing) {
     renderer_.extendSamples(samples);
@@ -108,6 +115,7 @@ class Measurement {
     std::vector<std::vector<Sample>> runs;
     std::uint64_t nan = 0, faults = 0;
     for (int run = 0; run < options_.runs; ++run) {
+      warmUp(variant);
       start(variant, scene_.render.seed + std::uint32_t(run));
       const std::string doing = variant.label + ", run " + std::to_string(run + 1);
       std::vector<Sample> points;

@@ -13,6 +13,7 @@ struct MeasureOptions {
   double seconds = 60.0;            // of tracing for one scene, references included; fewer samples if need be
   int runs = 5;
   bool ablate = false;
+  double warmUpSeconds = 0.0;  // of tracing before each run: a GPU that has been idle is slow at first
 };
 
 /// A reference has this many times the samples of the longest run, and another seed.

@@ -54,7 +54,9 @@ TEST(Models, render_sees_a_model_without_camera_and_light_and_says_how) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("rendered with a camera that sees everything and a soft sky"), std::string::npos)
       << outcome.err;
-  EXPECT_EQ(json::parse(contents(sandbox.path("report.json")))["nan"], 0);
+  const json report = json::parse(contents(sandbox.path("report.json")));
+  EXPECT_EQ(report["nan"], 0);
+  EXPECT_GE(report["memory"]["meshes"].get<int>(), 16 * (2 + 2 * 3)) << "a node and two triangles";
   const json stats = json::parse(sandbox.run({"info", sandbox.path("a.exr"), "--json"}).out);
   EXPECT_EQ(stats["width"], 16);
 }

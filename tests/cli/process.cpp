@@ -45,6 +45,7 @@ Sandbox::Sandbox() {
   std::string name = (fs::temp_directory_path() / "steradian-cli-XXXXXX").string();
   if (!mkdtemp(name.data())) throw std::runtime_error("mkdtemp failed");
   folder_ = name;
+  binary_ = STERADIAN_BINARY;
 }
 
 Sandbox::~Sandbox() {
@@ -52,8 +53,13 @@ Sandbox::~Sandbox() {
   fs::remove_all(folder_, ignored);
 }
 
+void Sandbox::moveBinary(const fs::path& path) {
+  fs::copy_file(binary_, path);
+  binary_ = path;
+}
+
 pid_t Sandbox::start(const Arguments& arguments, const Environment& environment) const {
-  std::vector<std::string> command{STERADIAN_BINARY};
+  std::vector<std::string> command{binary_.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environmentWith(environment);
   posix_spawn_file_actions_t actions;

@@ -25,12 +25,14 @@ class Sandbox {
   Sandbox();
   ~Sandbox();
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  /// Runs a copy at `path` from now on: without the modules that lie beside the built one.
+  void moveBinary(const std::filesystem::path& path);
   Outcome run(const Arguments& arguments, const Environment& environment = {}) const;
   pid_t start(const Arguments& arguments, const Environment& environment = {}) const;
   Outcome wait(pid_t child) const;
 
  private:
-  std::filesystem::path folder_;
+  std::filesystem::path folder_, binary_;
 };
 
 std::string contents(const std::filesystem::path& path);

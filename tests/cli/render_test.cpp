@@ -44,6 +44,7 @@ TEST(Render, works_without_a_display_and_reports_what_it_did) {
   EXPECT_EQ(r["validationMessages"], 0);
   EXPECT_GE(r["rays"]["closest"].get<double>(), 64.0 * 48.0 * 8.0);
   EXPECT_GT(r["error"]["relRmse"].get<double>(), 0.0);
+  EXPECT_EQ(r["memory"], json({{"meshes", 0}, {"textures", 0}, {"sky", 0}}));
   EXPECT_FALSE(r["device"].get<std::string>().empty());
   EXPECT_LE(r["seconds"]["load"].get<double>(), r["seconds"]["firstPixel"].get<double>());
   EXPECT_LE(r["seconds"]["firstPixel"].get<double>(), r["seconds"]["total"].get<double>());

@@ -21,8 +21,8 @@ TEST(Report, has_exactly_the_documented_keys) {
     return names;
   };
   EXPECT_EQ(keys(json), (std::set<std::string>{"device", "driver", "queues", "width", "height", "spp",
-                                               "samples", "seconds", "rays", "mraysPerSecond", "error", "nan",
-                                               "variant", "validationMessages"}));
+                                               "samples", "seconds", "rays", "memory", "mraysPerSecond",
+                                               "error", "nan", "variant", "validationMessages"}));
   EXPECT_EQ(keys(json["seconds"]),
             (std::set<std::string>{"load", "compile", "firstPixel", "trace", "total"}));
   EXPECT_EQ(keys(json["rays"]), (std::set<std::string>{"closest", "shadow"}));
