@@ -15,7 +15,7 @@ namespace steradian::report {
 namespace {
 
 constexpr double kWidth = 880, kHeight = 520;
-constexpr double kLeft = 76, kRight = 660, kTop = 78, kBottom = 446;  // of the plot area
+constexpr double kLeft = 92, kRight = 660, kTop = 78, kBottom = 446;  // of the plot area
 constexpr double kLabelX = 690, kLabelGap = 19;
 
 /// Okabe and Ito, "Color Universal Design", 2008: told apart with any colour vision. Its yellow is too faint
@@ -217,7 +217,7 @@ std::string svgOf(const Chart& chart) {
   for (std::size_t i = chart.curves.size(); i-- > 0;) out += curveLine(axes, chart.curves[i], i);
   out += labelsOf(axes, chart);
   out += words(0.5 * (kLeft + kRight), kBottom + 46, "ink", "middle", chart.x.name);
-  out += cli::text("<text class=\"ink\" text-anchor=\"middle\" transform=\"translate(22 %.1f) rotate(-90)\">",
+  out += cli::text("<text class=\"ink\" text-anchor=\"middle\" transform=\"translate(24 %.1f) rotate(-90)\">",
                    0.5 * (kTop + kBottom)) +
          escaped(chart.y.name) + "</text>\n</svg>\n";
   return out;
