@@ -119,14 +119,7 @@ ExportDialog::Answer ExportDialog::draw(Ui& ui) {
 }
 
 JobWish drawJob(Ui& ui, const StillJob& job, ImVec2 bottomRight) {
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                      ImGuiWindowFlags_NoNav;
-  const float margin = ui.px(14);
-  ImGui::SetNextWindowPos({bottomRight.x - margin, bottomRight.y - margin}, ImGuiCond_Always, {1, 1});
-  ImGui::SetNextWindowSize({ui.px(330), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
-  ImGui::Begin("export progress", nullptr, kFlags);
+  beginCornerWindow(ui, "export progress", bottomRight);
   ImGui::Text("Rendering %s", job.settings().path.filename().c_str());
   ImGui::ProgressBar(float(job.fraction()), {-FLT_MIN, ui.px(18)});
   const auto remaining = job.remainingSeconds();
@@ -140,7 +133,6 @@ JobWish drawJob(Ui& ui, const StillJob& job, ImVec2 bottomRight) {
   ImGui::SameLine();
   if (button(ui, "Cancel", "job/Cancel", "Stop and write nothing")) wish = JobWish::cancel;
   ImGui::End();
-  ImGui::PopStyleVar();
   return wish;
 }
 

@@ -38,17 +38,9 @@ bool drawModal(Ui& ui, const Loading::View& view, bool wanted) {
 }
 
 bool drawInCorner(Ui& ui, const Loading::View& view, ImVec2 bottomRight) {
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                      ImGuiWindowFlags_NoNav;
-  const float margin = ui.px(14);
-  ImGui::SetNextWindowPos({bottomRight.x - margin, bottomRight.y - margin}, ImGuiCond_Always, {1, 1});
-  ImGui::SetNextWindowSize({ui.px(330), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
-  ImGui::Begin("loading in the background", nullptr, kFlags);
+  beginCornerWindow(ui, "loading in the background", bottomRight);
   const bool cancelled = drawContent(ui, view);
   ImGui::End();
-  ImGui::PopStyleVar();
   return cancelled;
 }
 

@@ -76,6 +76,18 @@ NumberField lengthField(const char* name, const char* help, double standard) {
           .standard = standard};
 }
 
+void beginCornerWindow(Ui& ui, const char* name, ImVec2 bottomRight) {
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoNav;
+  const float margin = ui.px(14);
+  ImGui::SetNextWindowPos({bottomRight.x - margin, bottomRight.y - margin}, ImGuiCond_Always, {1, 1});
+  ImGui::SetNextWindowSize({ui.px(330), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
+  ImGui::Begin(name, nullptr, kFlags);
+  ImGui::PopStyleVar();
+}
+
 void tooltip(const char* text) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);

@@ -82,6 +82,10 @@ bool button(Ui& ui, const char* text, std::string_view label, const char* help =
 bool mainButton(Ui& ui, const char* text, std::string_view label, float width = 0.0f);
 /// At once and unconditionally: ask first whether the item is hovered.
 void tooltip(const char* text);
+
+/// Begins a small window with its lower right corner near `bottomRight`, for work in the background; End()
+/// follows.
+void beginCornerWindow(Ui& ui, const char* name, ImVec2 bottomRight);
 void dimText(const std::string& text);
 
 float srgbFromLinear(float linear);  // IEC 61966-2-1; continued above 1
