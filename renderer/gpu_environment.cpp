@@ -10,6 +10,8 @@
 namespace steradian {
 namespace {
 
+constexpr double contrastWorthSamples = 3.0;
+
 /// Of a texel as the shaders weigh it (Rec. 709).
 double luminance(const float* rgb) {
   return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
@@ -54,6 +56,15 @@ std::vector<double> rowLuminance(const Image& image) {
 
 }  // namespace
 
+bool skyIsSampled(const Light& light) {
+  const auto& sky = std::get<EnvironmentLight>(light.kind);
+  if (sky.image) return true;
+  const glm::vec3 zenith = lightColor(light);
+  const glm::vec3 horizon = zenith * sky.horizon, ground = zenith * sky.ground;
+  const auto [least, most] = std::minmax({luminance(&zenith.x), luminance(&horizon.x), luminance(&ground.x)});
+  return most > contrastWorthSamples * least;
+}
+
 std::vector<glm::vec4> environmentRows(const Light* light, const glm::dmat4& worldFromObject) {
   if (!light) return std::vector<glm::vec4>(gpu::ENVIRONMENT_ROWS, glm::vec4(0.0f));
   const auto& sky = std::get<EnvironmentLight>(light->kind);
@@ -61,7 +72,7 @@ std::vector<glm::vec4> environmentRows(const Light* light, const glm::dmat4& wor
   const float columns = sky.image ? float(sky.image->width) : 0.0f;
   const float lines = sky.image ? float(sky.image->height) : 0.0f;
   std::vector<glm::vec4> rows{glm::vec4(zenith, columns), glm::vec4(zenith * sky.horizon, lines),
-                              glm::vec4(zenith * sky.ground, 0.0f)};
+                              glm::vec4(zenith * sky.ground, skyIsSampled(*light) ? 1.0f : 0.0f)};
   // A rotation's inverse is its transpose: the object's axes are the rows.
   for (int i = 0; i < 3; ++i)
     rows.emplace_back(glm::vec3(glm::normalize(glm::dvec3(worldFromObject[i]))), 0.0f);

@@ -10,6 +10,11 @@
 
 namespace steradian {
 
+/// Whether an environment light is worth a ray of its own at each vertex, beside the paths that meet it: an
+/// image is, a gradient from a contrast of 3 on. Below, the ray costs more than it saves: on a mesh under a
+/// plain sky error^2 x time is 0.75 times as large without it, among analytic shapes 0.93 times; at a
+/// contrast of 10 it is 1.13 times (user time of `steradian render --spp 64 --report`).
+bool skyIsSampled(const Light& light);
 /// ENVIRONMENT_ROWS rows of an environment light under `worldFromObject`; of black without one.
 std::vector<glm::vec4> environmentRows(const Light* light, const glm::dmat4& worldFromObject);
 /// What follows ENERGY_ROWS in the tables (layout in shaders/environment.glsl): the image's texels, 3

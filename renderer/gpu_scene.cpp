@@ -170,7 +170,7 @@ void appendEnvironment(GpuScene& out, const std::vector<Placed>& objects) {
   if (!light) return;
   out.environment = std::get<EnvironmentLight>(light->kind).image;
   out.params.flags |= TRACE_ENVIRONMENT;
-  out.features |= out.environment ? FEATURE_ENVIRONMENT | FEATURE_ENVIRONMENT_IMAGE : FEATURE_ENVIRONMENT;
+  out.features |= FEATURE_ENVIRONMENT | (skyIsSampled(*light) ? FEATURE_SAMPLED_SKY : 0u);
 }
 
 bool wantsHierarchy(const ShapeLists& shapes, ShapeSearch search) {

@@ -119,7 +119,7 @@ VariantInfo describeVariant(const VariantKey& key) {
                                                    "area lights",
                                                    "suns",
                                                    "environment",
-                                                   "environment image",
+                                                   "sampled sky",
                                                    "light tree",
                                                    "transmission",
                                                    "absorption",

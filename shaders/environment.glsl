@@ -16,6 +16,7 @@ const uint kSkyRows = ENERGY_ROWS + 1u;
 struct Sky {
   vec3 zenith, horizon, ground;
   float columns, rows;  // of the image, at least 1
+  bool sampled;         // as a light; else only paths meet it
   bool image;
   vec3 right, up, back;  // its axes in the world
 };
@@ -23,13 +24,15 @@ struct Sky {
 Sky fetchSky() {
   vec4 zenith = fetchRow(params.environmentRow);
   vec4 horizon = fetchRow(params.environmentRow + 1u);
+  vec4 ground = fetchRow(params.environmentRow + 2u);
   Sky sky;
   sky.zenith = zenith.xyz;
   sky.horizon = horizon.xyz;
-  sky.ground = fetchRow(params.environmentRow + 2u).xyz;
+  sky.ground = ground.xyz;
   sky.columns = max(zenith.w, 1.0);
   sky.rows = max(horizon.w, 1.0);
-  sky.image = kEnvironmentImage && zenith.w > 0.0;
+  sky.sampled = kSampledSky && ground.w > 0.0;
+  sky.image = kSampledSky && zenith.w > 0.0;
   sky.right = fetchRow(params.environmentRow + 3u).xyz;
   sky.up = fetchRow(params.environmentRow + 4u).xyz;
   sky.back = fetchRow(params.environmentRow + 5u).xyz;
@@ -44,15 +47,15 @@ float hemisphereLuminance(Sky sky, vec3 pole) { return PI * (luminance(sky.horiz
 // What the sky shows in one direction, and the density with which sampleEnvironment() chooses that direction.
 struct SkyValue {
   vec3 radiance;  // nit
-  float pdf;      // per solid angle
+  float pdf;      // per solid angle; 0 = never
 };
 
 // e: unit, the sky's own axes; the texel is ignored without an image.
 SkyValue skyValue(Sky sky, vec3 e, MapCell cell) {
   vec3 gradient = skyGradient(sky, e.y);
   float total = hemisphereLuminance(sky, sky.zenith) + hemisphereLuminance(sky, sky.ground);
-  SkyValue value = SkyValue(gradient, luminance(gradient) / max(total, 1e-30));
-  if (kEnvironmentImage) {
+  SkyValue value = SkyValue(gradient, sky.sampled ? luminance(gradient) / max(total, 1e-30) : 0.0);
+  if (kSampledSky) {
     uint at = sky.image ? kSkyRows + uint(sky.rows) + cell.row * uint(sky.columns) + cell.column : 0u;
     vec3 texel = fetchTable(at).xyz;
     float density = luminance(texel) * fetchTable(sky.image ? ENERGY_ROWS : 0u).x;
@@ -66,7 +69,7 @@ SkyValue environmentAt(vec3 d) {
   Sky sky = fetchSky();
   vec3 e = vec3(dot(sky.right, d), dot(sky.up, d), dot(sky.back, d));
   MapCell cell = MapCell(0u, 0u);
-  if (kEnvironmentImage) cell = mapCell(e, sky.columns, sky.rows);
+  if (kSampledSky) cell = mapCell(e, sky.columns, sky.rows);
   return skyValue(sky, e, cell);
 }
 
@@ -97,7 +100,7 @@ SkyChoice chooseShare(uint first, uint count, float u) {
   return SkyChoice(low, clamp((u - begin) / max(share, 1e-30), 0.0, 1.0));
 }
 
-// u chooses the height, v the azimuth; (u, v) in [0, 1)^2. Density 0, and no light, from a black sky.
+// u chooses the height, v the azimuth; (u, v) in [0, 1)^2. Density 0, and no light, from a sky that is black or not sampled.
 LightSample sampleEnvironment(float u, float v) {
   Sky sky = fetchSky();
   float below = hemisphereLuminance(sky, sky.ground);
@@ -108,7 +111,7 @@ LightSample sampleEnvironment(float u, float v) {
   precise float fromPole = 1.0 - sampleLinear(rest, luminance(sky.horizon), luminance(upper ? sky.zenith : sky.ground));
   float across = v;
   MapCell cell = MapCell(0u, 0u);
-  if (kEnvironmentImage) {
+  if (kSampledSky) {
     uint rows = sky.image ? uint(sky.rows) : 1u;
     uint columns = sky.image ? uint(sky.columns) : 1u;
     uint first = sky.image ? kSkyRows : 0u;

@@ -24,7 +24,7 @@ layout(constant_id = 15) const bool kAlpha = true;
 layout(constant_id = 16) const bool kAreaLights = true;
 layout(constant_id = 17) const bool kSuns = true;
 layout(constant_id = 18) const bool kEnvironment = true;
-layout(constant_id = 19) const bool kEnvironmentImage = true;
+layout(constant_id = 19) const bool kSampledSky = true;
 layout(constant_id = 20) const bool kLightTree = true;
 layout(constant_id = 21) const bool kTransmission = true;
 layout(constant_id = 22) const bool kAbsorption = true;
@@ -46,7 +46,7 @@ layout(constant_id = 41) const bool kShapeHierarchy = false;
 
 const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
 // Lights that paths meet as well: both ways are weighed against each other.
-const bool kMetLights = kAreaLights || kSuns || kEnvironment;
+const bool kMetLights = kAreaLights || kSuns || kSampledSky;
 const bool kAffine = kBoxes || kRects || kDisks || kCylinders || kEllipsoids;
 
 // Material feature bits that this variant lacks must not occur: the sample is counted as a fault.

@@ -49,7 +49,7 @@ LightSample sampleOfSlot(Vertex v, uint slot, LightChoice choice) {
   SamplePair pair = lightPair(v, 63u);
   LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, NO_PRIMITIVE);
   if (slot < RECORD_SKY) s = lightSampleAt(fetchLight(choice.light), v, slot);
-  else if (kEnvironment) s = sampleEnvironment(pair.x, pair.y);
+  else if (kSampledSky) s = sampleEnvironment(pair.x, pair.y);
   return s;
 }
 

@@ -81,14 +81,14 @@ void main() {
     vec3 arriving = vec3(0.0);
     if (kFixedLights > 0u) arriving = lightFromBakedLights(baked, lit, v, lobes, tally, l);
     if (kLights && kFixedLights == 0u && lit) arriving = lightFromLights(v, lobes, tally, l);
-    if (kEnvironment && lit) arriving += lightFromEnvironment(v, lobes, tally, l);
+    if (kSampledSky && lit) arriving += lightFromEnvironment(v, lobes, tally, l);
     if (missed && alive) {
       if (kEnvironment || kSuns) addLight(path, tally, skyLight(path), path.bounce);
     }
     if (!missed && alive) {
       tally.missing |= missingFeatures(v.material.bits);
       if (kEmission) addLight(path, tally, emittedLight(v, path), path.bounce);
-      if (kLights || kEnvironment) addLight(path, tally, arriving, path.bounce + 1u);
+      if (kLights || kSampledSky) addLight(path, tally, arriving, path.bounce + 1u);
     }
     if (kRoulette) path.throughput /= max(survival, 1e-30);
     goOn(path, hit.t, v, weighDraw(lobes, drawn, v.wo, lobeKinds()));

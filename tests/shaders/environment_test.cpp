@@ -174,11 +174,14 @@ TEST_F(EnvironmentKernel, row17_angles_are_within_four_units_of_a_quarter_turn) 
   }
   for (const double tiny : {1e-12, 1e-7, 1e-4}) questions.emplace_back(1.0, tiny, 0, 0);
   const Rows answers = run(environment, {.operation = 0}, questions);
+  double worst = 0;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const double expected = std::atan2(double(questions[i].y), double(questions[i].x)) / (2 * M_PI);
-    ASSERT_NEAR(answers[i].x, expected, 4 * ulp(std::max(0.25, std::abs(expected))))
-        << questions[i].x << " " << questions[i].y;
+    const double unit = ulp(std::max(0.25, std::abs(expected)));
+    ASSERT_NEAR(answers[i].x, expected, 4 * unit) << questions[i].x << " " << questions[i].y;
+    worst = std::max(worst, std::abs(double(answers[i].x) - expected) / unit);
   }
+  measured("error of the arc tangent, ULP of a quarter turn", worst, 4);
   EXPECT_NEAR(answers.back().x, 1e-4 / (2 * M_PI), 1e-10) << "small angles keep their digits";
 }
 
@@ -253,9 +256,10 @@ TEST_F(EnvironmentKernel, every_texel_is_found_also_at_the_poles) {
 TEST_F(EnvironmentKernel, row25_a_drawn_direction_has_the_density_it_was_drawn_with) {
   for (const Sky& sky :
        {imageSky(64, 33), imageSky(2048, 1024), gradientSky({1, 1, 1}, {0.2f, 0.3f, 0.1f}, {0, 0, 0}),
-        gradientSky({0, 0, 0.1f}, {1, 1, 1}, {1, 2, 1})}) {
+        gradientSky({0, 0, 0.1f}, {1, 1, 4}, {1, 2, 1})}) {
     const Rows drawn = draw(sky);
     std::size_t parted = 0;
+    double worst = 0;
     for (std::size_t i = 0; i < drawn.size(); i += sampleRows) {
       const double pdf = drawn[i].w, again = drawn[i + 1].w;
       ASSERT_TRUE(std::isfinite(drawn[i + 1].x));
@@ -266,10 +270,13 @@ TEST_F(EnvironmentKernel, row25_a_drawn_direction_has_the_density_it_was_drawn_w
       }
       const glm::dvec3 radiance = xyz(drawn[i + 1]) * pdf;
       ASSERT_LE(glm::length(radiance - xyz(drawn[i + 2])), 1e-4 * glm::length(radiance));
+      worst = std::max(worst, std::abs(pdf - again) / pdf);
     }
+    measured("relative difference of the two densities", worst, 1e-4);
     // Only on the borders of texels, which rounding blurs by about 1e-7 of a turn.
     const double borders = sky.image() ? 3e-7 * (sky.image()->width + 2.0 * sky.image()->height) : 0.0;
     EXPECT_LE(double(parted), borders * samples);
+    measured("share of samples beside a border of texels", double(parted) / samples, borders);
   }
 }
 
@@ -280,7 +287,9 @@ TEST_F(EnvironmentKernel, row24_directions_follow_the_image) {
     const Sky sky = imageSky(width, height);
     const Rows drawn = draw(sky);
     const Expected expected = expectedOf(*sky.image());
-    EXPECT_GT(chiSquare(sky, drawn, expected), significance) << width << " x " << height;
+    const double p = chiSquare(sky, drawn, expected);
+    EXPECT_GT(p, significance) << width << " x " << height;
+    measuredAtLeast("least p of chi-square", p, significance);
     Sky turned = sky;
     turned.world = glm::rotate(sky.world, 0.01, glm::dvec3(0, 1, 0));
     EXPECT_LT(chiSquare(turned, drawn, expected), significance) << "the test must bite";
@@ -288,7 +297,7 @@ TEST_F(EnvironmentKernel, row24_directions_follow_the_image) {
 }
 
 TEST_F(EnvironmentKernel, row24_directions_follow_the_gradient) {
-  const glm::vec3 colors[][3] = {{glm::vec3(1), glm::vec3(1), glm::vec3(1)},
+  const glm::vec3 colors[][3] = {{glm::vec3(1), glm::vec3(0.3f), glm::vec3(0.2f)},
                                  {glm::vec3(1), glm::vec3(0), glm::vec3(0)},
                                  {glm::vec3(0.1f), glm::vec3(10), glm::vec3(3)}};
   for (const auto& [zenith, horizon, ground] : colors) {
@@ -298,7 +307,21 @@ TEST_F(EnvironmentKernel, row24_directions_follow_the_gradient) {
     const auto density = [&](double y) {
       return ((y > 0 ? z : g) * std::abs(y) + h * (1 - std::abs(y))) / total;
     };
-    EXPECT_GT(chiSquare(sky, draw(sky), expectedOf(density)), significance);
+    const double p = chiSquare(sky, draw(sky), expectedOf(density));
+    EXPECT_GT(p, significance);
+    measuredAtLeast("least p of chi-square", p, significance);
+  }
+}
+
+TEST_F(EnvironmentKernel, an_even_gradient_is_left_to_the_paths) {
+  for (const Sky& sky : {gradientSky({1, 1, 1}, {1, 1, 1}, {1, 1, 1}),
+                         gradientSky({1, 2, 3}, {0.5f, 0.5f, 0.5f}, {0.4f, 0.4f, 0.4f})}) {
+    const Rows drawn = draw(sky);
+    for (std::size_t i = 0; i < drawn.size(); i += sampleRows) {
+      ASSERT_EQ(drawn[i + 1], glm::vec4(0));
+      ASSERT_EQ(drawn[i].w, 0.0f);
+      ASSERT_GT(drawn[i + 2].x, 0.0f) << "but seen";
+    }
   }
 }
 
