@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "editor/cli/bench_scene.hpp"
+#include "editor/cli/yardstick.hpp"
 #include "renderer/still.hpp"
 
 namespace steradian::bench {
@@ -17,10 +18,11 @@ namespace {
 /// A renderer with the scene on it, and what its runs gave.
 struct Variant {
   Renderer renderer;
-  std::vector<double> msPerSample, mraysPerSecond;
+  bool onCpu;
+  std::vector<double> msPerSample, mraysPerSecond, operationsPerRay;
 
   Variant(const std::shared_ptr<gpu::Device>& device, const BenchScene& scene, bool special)
-      : renderer(device) {
+      : renderer(device), onCpu(describe(*device).type == "CPU") {
     renderer.allowSpecialization(special);
     renderer.setScene(scene.scene, scene.view, scene.film);
     if (special) renderer.waitForSpecialization();
@@ -29,13 +31,18 @@ struct Variant {
   void run(std::uint64_t samples) {
     StillRequest request;
     request.spp = samples;
+    const double before = onCpu ? vectorGflops() : 0.0;
     const StillResult result = renderStill(renderer, request);
     msPerSample.push_back(result.seconds * 1e3 / double(result.stats.samples));
     mraysPerSecond.push_back(double(result.stats.raysClosest + result.stats.raysShadow) / result.seconds *
                              1e-6);
+    if (onCpu)
+      operationsPerRay.push_back(
+          peakOperationsPerRay(0.5 * (before + vectorGflops()), mraysPerSecond.back()));
   }
   Throughput throughput() const {
-    return {median(msPerSample), median(mraysPerSecond), renderer.stats().variant};
+    return {median(msPerSample), median(mraysPerSecond),
+            onCpu ? std::optional(median(operationsPerRay)) : std::nullopt, renderer.stats().variant};
   }
 };
 

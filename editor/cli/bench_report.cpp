@@ -10,9 +10,13 @@ namespace {
 using bench::jsonOf;
 
 Json jsonOf(const Throughput& throughput) {
-  return {{"msPerSample", throughput.msPerSample},       {"samplesPerSecond", 1e3 / throughput.msPerSample},
-          {"mraysPerSecond", throughput.mraysPerSecond}, {"specialized", throughput.variant.specialized},
-          {"features", throughput.variant.features},     {"leftOut", throughput.variant.leftOut}};
+  return {{"msPerSample", throughput.msPerSample},
+          {"samplesPerSecond", 1e3 / throughput.msPerSample},
+          {"mraysPerSecond", throughput.mraysPerSecond},
+          {"peakOperationsPerRay", jsonOf(throughput.operationsPerRay)},
+          {"specialized", throughput.variant.specialized},
+          {"features", throughput.variant.features},
+          {"leftOut", throughput.variant.leftOut}};
 }
 
 Json jsonOf(const BenchResult& result) {
@@ -45,9 +49,12 @@ std::string textOf(const BenchResult& result) {
                          result.size.height, result.maxBounces);
   out += line("  %s, %s", result.device.name.c_str(), result.device.queues.c_str());
   for (const auto& [name, variant] :
-       {std::pair("special", &result.special), std::pair("generic", &result.generic)})
+       {std::pair("special", &result.special), std::pair("generic", &result.generic)}) {
     out += line("  %-8s %10.3f ms/sample  %10.1f samples/s  %10.2f Mrays/s", name, variant->msPerSample,
                 1e3 / variant->msPerSample, variant->mraysPerSecond);
+    if (variant->operationsPerRay)
+      out += line("           %10.0f peak operations per ray", *variant->operationsPerRay);
+  }
   out +=
       line("  special is %.2f times as fast, images %s",
            result.generic.msPerSample / result.special.msPerSample, result.bitEqual ? "bit-equal" : "DIFFER");
