@@ -23,7 +23,7 @@ Window& windowOf(GLFWwindow* handle) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
 }
 
-/// As large as asked for, but never larger than what the monitor leaves free.
+/// As large as asked for in design pixels, but never larger than what the monitor leaves free.
 Extent fitToMonitor(Extent size) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (!monitor) return size;
@@ -58,7 +58,8 @@ Window::Window(Extent size, const std::string& title) : title_(title) {
     glfwTerminate();
     throw Error(ExitCode::noDevice, "The window could not be opened (" + reason + ").");
   }
-  glfwSetWindowSizeLimits(window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  const Extent least = fitToMonitor({640, 400});
+  glfwSetWindowSizeLimits(window_, least.width, least.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   installCallbacks();
 }
 

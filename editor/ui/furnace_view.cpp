@@ -51,9 +51,10 @@ void furnaceView(Ui& ui, const Material& material, bool compensated) {
   draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg),
                      ImGui::GetStyle().FrameRounding);
   const ImU32 grid = ImGui::GetColorU32(ImGuiCol_Border);
-  for (const double albedo : {0.0, 0.5, 1.0}) draw.AddLine(plot.at(0, albedo), plot.at(1, albedo), grid);
+  for (const double albedo : {0.0, 0.5, 1.0})
+    draw.AddLine(plot.at(0, albedo), plot.at(1, albedo), grid, ui.px(1));
   draw.AddLine(plot.at(material.roughness, 0), plot.at(material.roughness, 1),
-               ImGui::GetColorU32(ImGuiCol_TextDisabled));
+               ImGui::GetColorU32(ImGuiCol_TextDisabled), ui.px(1));
   if (isGrey(curve))
     drawCurve(draw, plot, curve, 0, ImGui::GetColorU32(ImGuiCol_Text), ui.px(2));
   else

@@ -12,7 +12,7 @@ namespace steradian::ui {
 
 namespace {
 
-constexpr int kCircleSteps = 48;
+constexpr int kCircleSteps = 96;  // half a pixel from round at a radius of 1000
 
 /// Draws one object's outline in its own coordinates.
 class Wire {

@@ -102,6 +102,8 @@ void applyStyle(UiScale scale) {
   setSurfaces(style.Colors);
   setControls(style.Colors);
   ImGui::GetStyle() = style;
+  ImGuiIO& io = ImGui::GetIO();
+  io.MouseDragThreshold = io.MouseDoubleClickMaxDist = 6 * scale.units;
 }
 
 void loadFonts(UiScale scale) {

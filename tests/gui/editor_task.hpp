@@ -18,11 +18,11 @@ using namespace std::chrono_literals;
 
 class EditorTask : public testing::Test {
  protected:
-  EditorTask() {
+  explicit EditorTask(int width = 1040, int height = 720) {
     char name[] = "/tmp/steradian-gui-XXXXXX";
     folder_ = mkdtemp(name);
     fs::copy(fs::path(STERADIAN_TEST_PROJECTS) / "hello", folder_ / "hello", fs::copy_options::recursive);
-    screen_.emplace(folder_, 1040, 720);
+    screen_.emplace(folder_, width, height);
   }
   ~EditorTask() override {
     screen_.reset();

@@ -39,6 +39,8 @@ class Screen {
   /// `folder` receives the frame buffer file.
   Screen(const std::filesystem::path& folder, int width, int height);
   const std::string& display() const { return display_; }  // ":99"
+  /// Of the monitor, for programs that start later; 96 until then.
+  void setDpi(int dpi);
   /// What is on the screen, RGB in [0, 1], the pointer included.
   Image read() const;
 
