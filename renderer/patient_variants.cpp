@@ -4,34 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/shader_code.hpp"
-#include "renderer/specialize.hpp"
-
 namespace steradian {
-namespace {
-
-using namespace gpu;
-
-void dispatchEmpty(const Device& device, const ComputePass& pass) {
-  const Bindings bindings(device, {}, {});
-  device.run(QueueKind::compute, [&](const auto& cmd) { pass.dispatch(cmd, bindings, TraceParams{}, 1, 1); });
-}
-
-/// A CPU driver makes machine code at the first dispatch, on its only queue. When others use that, a second
-/// device does it first: through the driver's disk cache the window's device then only loads it.
-void runOnce(const Device& device, const VariantKey& key, const ComputePass& pass, bool alone) {
-  if (device.description().type != "CPU") return;
-  if (!alone) {
-    const auto scratch = openDevice({.device = std::to_string(device.description().index)});
-    const std::vector<Specialization> constants = constantsOf(*scratch, key);
-    const std::vector<std::uint32_t> code = specialized(pathTraceSpirv(), constants);
-    if (code.empty()) return;
-    dispatchEmpty(*scratch, ComputePass(*scratch, code, {}, "path_trace"));
-  }
-  dispatchEmpty(device, pass);
-}
-
-}  // namespace
 
 PatientVariants::State PatientVariants::stateOf(const VariantKey& needed) {
   const std::lock_guard lock(mutex_);
@@ -40,7 +13,7 @@ PatientVariants::State PatientVariants::stateOf(const VariantKey& needed) {
   return ready_.empty() && !compiling_ ? State::empty : State::wanted;
 }
 
-bool PatientVariants::firstRun(const ComputePass* pass) {
+bool PatientVariants::firstRun(const gpu::ComputePass* pass) {
   const std::lock_guard lock(mutex_);
   return ran_.insert(pass).second;
 }
@@ -49,9 +22,12 @@ void PatientVariants::prepare(const VariantKey& needed) {
   const State state = stateOf(needed);
   if (state == State::ready) return;
   const Variants::Choice choice = variants_.choose(needed);
-  // Special ones ran where they were compiled.
-  if (choice.key == genericFor(choice.key) && firstRun(choice.pass))
-    runOnce(device_, choice.key, *choice.pass, state == State::empty);
+  // Special ones ran where they were compiled. Where nothing else uses the queue, nothing is stalled.
+  const bool onCpu = device_.description().type == "CPU";
+  if (onCpu && choice.key == genericFor(choice.key) && firstRun(choice.pass)) {
+    if (state != State::empty) warmDriverCache(device_, choice.key);
+    dispatchNothing(device_, *choice.pass);
+  }
   const std::lock_guard lock(mutex_);
   ready_.push_back(needed);
 }

@@ -54,14 +54,19 @@ constexpr std::uint32_t basicFeatures =
 constexpr std::uint32_t analyticFeatures = ~(FEATURE_MESHES | FEATURE_TEXTURES | FEATURE_ALPHA);
 constexpr std::uint32_t genericFeatures[] = {basicFeatures, analyticFeatures, ~0u};
 
-// One dispatch that touches no pixel: some drivers only compile to machine code at the first one.
+}  // namespace
+
 void dispatchNothing(const Device& device, const ComputePass& pass) {
   const Bindings bindings(device, {}, {});
   const TraceParams nothing{};
   device.run(QueueKind::compute, [&](const auto& cmd) { pass.dispatch(cmd, bindings, nothing, 1, 1); });
 }
 
-}  // namespace
+void warmDriverCache(const Device& device, const VariantKey& key) {
+  if (device.description().type != "CPU") return;
+  const auto scratch = openDevice({.device = std::to_string(device.description().index)});
+  dispatchNothing(*scratch, *compile(*scratch, key));
+}
 
 bool VariantKey::covers(const VariantKey& needed) const {
   const auto serves = [](std::uint32_t own, std::uint32_t asked) { return own == 0 || own == asked; };
@@ -229,14 +234,6 @@ void Variants::finished(const VariantKey& key, std::unique_ptr<ComputePass> pass
   changed_.notify_all();
 }
 
-void Variants::warmDriverCache(const VariantKey& key) {
-  // A CPU driver compiles on its only queue, which would stall the picture: let a second device do that, the
-  // driver's disk cache then serves the first. Closing the device flushes that cache.
-  if (device_->description().type != "CPU") return;
-  const auto scratch = openDevice({.device = std::to_string(device_->description().index)});
-  dispatchNothing(*scratch, *compile(*scratch, key));
-}
-
 void Variants::work(std::stop_token stop) {
   while (true) {
     VariantKey key;
@@ -248,7 +245,7 @@ void Variants::work(std::stop_token stop) {
     const auto start = std::chrono::steady_clock::now();
     std::unique_ptr<ComputePass> pass;
     try {
-      warmDriverCache(key);
+      warmDriverCache(*device_, key);
       pass = compile(*device_, key);
       dispatchNothing(*device_, *pass);
     } catch (const Error&) {

@@ -36,6 +36,13 @@ VariantInfo describeVariant(const VariantKey& key);
 /// What the pipeline of `key` has compiled in on this device.
 std::vector<gpu::Specialization> constantsOf(const gpu::Device& device, const VariantKey& key);
 
+/// One dispatch that touches no pixel: some drivers make machine code only at the first one. Blocks.
+void dispatchNothing(const gpu::Device& device, const gpu::ComputePass& pass);
+/// A CPU driver makes machine code on its only queue, which would stall the picture: a second device does
+/// that here, and through the driver's disk cache, which closing it flushes, `device` then only loads it.
+/// Blocks; does nothing on other drivers. Throws Error.
+void warmDriverCache(const gpu::Device& device, const VariantKey& key);
+
 class Variants {
  public:
   explicit Variants(std::shared_ptr<gpu::Device> device);
@@ -63,7 +70,6 @@ class Variants {
   const Special* compileGeneric(const VariantKey& key, std::unique_lock<std::mutex>& lock);
   void want(const VariantKey& key);
   void work(std::stop_token stop);
-  void warmDriverCache(const VariantKey& key);
   void finished(const VariantKey& key, std::unique_ptr<gpu::ComputePass> pass, double seconds);
 
   std::shared_ptr<gpu::Device> device_;
