@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One mesh: down the hierarchy over its triangles, nearer boxes first.
+// Two children a node: four in rows of the same form took 1.5 times as long on lavapipe and 1.0 to 1.08 times on an H100.
+// There, all triangles of a leaf in one turn: shadow rays 1.02 times as fast, diffuse ones 0.95 (bench --mesh, 900 to 1M).
 #ifndef BVH_GLSL
 #define BVH_GLSL
 #include "alpha.glsl"

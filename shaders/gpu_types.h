@@ -48,8 +48,8 @@
 //                centre, power (cd; lx for directional; of all lights 1) | squared near-field radius (-1 =
 //                directional), bits: first child, or LIGHT_NODE_LEAF and the light, - | bits: which child at
 //                each level, -
-//   environment  zenith (nit), image columns (0 = gradient only) | horizon, image rows | ground, 1 = sampled |
-//                3 rows of the rotation environmentFromWorld
+//   environment  zenith (nit), image columns (0 = gradient only) | horizon, image rows | ground,
+//                1 = sampled | 3 rows of the rotation environmentFromWorld
 #ifndef STERADIAN_GPU_TYPES_H
 #define STERADIAN_GPU_TYPES_H
 
@@ -145,8 +145,8 @@ GPU_CONST uint FEATURE_ALPHA = 1u << 15;        // cut out or half transparent s
 GPU_CONST uint FEATURE_AREA_LIGHTS = 1u << 16;  // sphere, rect, disk: sampled, and met by paths
 GPU_CONST uint FEATURE_SUNS = 1u << 17;         // directional lights with a disc
 GPU_CONST uint FEATURE_ENVIRONMENT = 1u << 18;
-GPU_CONST uint FEATURE_SAMPLED_SKY = 1u << 19;  // an image, or a gradient of contrast: a light that is sampled
-GPU_CONST uint FEATURE_LIGHT_TREE = 1u << 20;  // more lights than are sampled at each vertex
+GPU_CONST uint FEATURE_SAMPLED_SKY = 1u << 19;  // as a light: an image, or a gradient of contrast
+GPU_CONST uint FEATURE_LIGHT_TREE = 1u << 20;   // more lights than are sampled at each vertex
 GPU_CONST uint FEATURE_TRANSMISSION = 1u << 21;
 GPU_CONST uint FEATURE_ABSORPTION = 1u << 22;
 GPU_CONST uint FEATURE_CLEARCOAT = 1u << 23;

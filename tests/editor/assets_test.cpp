@@ -9,21 +9,15 @@
 
 #include "editor/image_file.hpp"
 #include "renderer/scene/error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace steradian {
 namespace {
 
 namespace fs = std::filesystem;
 
-class AssetsTest : public testing::Test {
+class AssetsTest : public TemporaryFolder {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "steradian-test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   /// Two pixels, the left (1, 0.5, 0.25), the right 2^`exponent` in all channels, as flat RGBE.
   void writeSky(const std::string& name, int exponent) const {
     std::ofstream out(folder / name, std::ios::binary);
@@ -41,8 +35,6 @@ class AssetsTest : public testing::Test {
   static const EnvironmentLight& sky(const Scene& scene) {
     return std::get<EnvironmentLight>(std::get<Light>(scene.objects[0].content).kind);
   }
-
-  fs::path folder;
 };
 
 TEST_F(AssetsTest, a_sky_is_read_relative_to_its_project_with_three_channels) {

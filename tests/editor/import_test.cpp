@@ -6,22 +6,20 @@
 #include <fstream>
 
 #include "editor/ui/project_files.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace steradian::ui {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ImportTest : public testing::Test {
+class ImportTest : public TemporaryFolder {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "steradian-test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
+    TemporaryFolder::SetUp();
     for (const char* place : {"XDG_CACHE_HOME", "XDG_STATE_HOME"}) setenv(place, folder.c_str(), 1);
     std::ofstream(folder / "chair.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\no leg\nf 1 2 3\no seat\nf 3 2 1\n";
   }
-  void TearDown() override { fs::remove_all(folder); }
   static Document opened() {
     Scene scene;
     scene.objects = {{.id = Id{1}, .name = "leg", .content = Geometry{Sphere{}}}};
@@ -44,7 +42,6 @@ class ImportTest : public testing::Test {
     }
   }
 
-  fs::path folder;
   static const plugins::PluginHost& host() {
     static const plugins::PluginHost stock({STOCK_PLUGINS});
     return stock;

@@ -17,6 +17,7 @@
 #include "editor/assets.hpp"
 #include "editor/image_file.hpp"
 #include "renderer/scene/error.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace steradian {
 namespace {
@@ -181,14 +182,8 @@ TEST(DecodeTexture, fault11_a_decompression_bomb_is_refused_before_memory_is_tak
   EXPECT_LT(peakMemory() - before, 64);
 }
 
-class TexturesTest : public testing::Test {
+class TexturesTest : public TemporaryFolder {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "steradian-test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder); }
   static Scene sceneWith(const std::vector<Texture>& textures) {
     Scene scene;
     for (const Texture& texture : textures)
@@ -204,7 +199,6 @@ class TexturesTest : public testing::Test {
   static const std::shared_ptr<const Texture>& textureOf(const Scene& scene, std::size_t material) {
     return scene.materials[material].albedoTexture.texture;
   }
-  fs::path folder;
 };
 
 TEST_F(TexturesTest, every_slot_of_one_texture_gets_the_same_pixels) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "plugins/host/plugin_host.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace steradian::plugins {
 
@@ -25,16 +26,13 @@ inline std::string readText(const fs::path& path) {
   return out.str();
 }
 
-class FolderTest : public testing::Test {
+class FolderTest : public TemporaryFolder {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "steradian-test-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder = pattern;
+    TemporaryFolder::SetUp();
     setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     fs::create_directory(folder / "plugins");
   }
-  void TearDown() override { fs::remove_all(folder); }
 
   /// Copies a sample plugin into this test's plugin folder.
   fs::path add(const std::string& sample, const std::string& as = {}) {
@@ -43,8 +41,6 @@ class FolderTest : public testing::Test {
     return to;
   }
   PluginHost host() const { return PluginHost({folder / "plugins"}); }
-
-  fs::path folder;
 };
 
 /// The stock plugins, found once per test program.

@@ -35,6 +35,8 @@ TEST_F(MeshGap, row11_a_new_ray_starts_within_a_millionth_of_its_place_or_of_the
         const float allowed = 1e-6f * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1.0f});
         const glm::vec3 gap = glm::abs(o - p);
         EXPECT_LE(std::max({gap.x, gap.y, gap.z}), allowed) << distance << " " << cameraSizes;
+        measured("gap / largest coordinate of the point or the mesh",
+                 1e-6 * double(std::max({gap.x, gap.y, gap.z}) / allowed), 1e-6);
         moved += o != p;
       }
       EXPECT_EQ(moved, film.width * film.height);

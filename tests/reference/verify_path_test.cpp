@@ -36,32 +36,43 @@ class VerifiedPaths : public RendererTest {
     return stages;
   }
 
+  void expectThoseOf(const std::vector<PathRecord>& paths, const Image& picture) {
+    for (const PathRecord& path : paths)
+      for (int c = 0; c < 3; ++c) {
+        const float value = picture.at(path.x, path.y)[c];
+        EXPECT_NEAR(path.rows[1][c], value, 1e-5f * std::fabs(value) + 1e-7f);
+      }
+  }
+
+  // How many quantities were compared; none may part.
+  std::size_t expectNoneParts(const std::vector<PathRecord>& paths) {
+    Judge judge(traced_);
+    std::size_t compared = 0;
+    for (const PathRecord& path : paths)
+      for (const Finding& f : judge.compare(path)) {
+        EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
+                                << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
+                                << " / " << f.reference;
+        compared += 1;
+      }
+    return compared;
+  }
+
   Scene scene_;
   TracedScene traced_;
 };
 
 TEST_F(VerifiedPaths, recorded_paths_are_those_of_the_film) {
   const Image picture = render(scene_, scenes::roomView(), film, 1);
-  for (const PathRecord& path : record(1)) {
-    const std::size_t at = 3 * (std::size_t(path.y) * film.width + path.x);
-    for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(path.rows[1][c], picture.pixels[at + c], 1e-5f * std::fabs(picture.pixels[at + c]) + 1e-7f);
-  }
+  expectThoseOf(record(1), picture);
 }
 
 TEST_F(VerifiedPaths, float_and_double_agree_at_every_stage) {
+  const std::vector<PathRecord> paths = record(4);
+  EXPECT_GT(expectNoneParts(paths), 5000u);
   Judge judge(traced_);
-  std::size_t compared = 0, otherWay = 0;
-  for (const PathRecord& path : record(4)) {
-    for (const Finding& f : judge.compare(path)) {
-      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
-                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
-                              << " / " << f.reference;
-      compared += 1;
-    }
-    otherWay += judge.run(path).partedAt ? 1 : 0;
-  }
-  EXPECT_GT(compared, 5000u);
+  std::size_t otherWay = 0;
+  for (const PathRecord& path : paths) otherWay += judge.run(path).partedAt ? 1 : 0;
   EXPECT_LE(otherWay, 4u);
 }
 
@@ -93,20 +104,9 @@ TEST_F(VerifiedPaths, float_and_double_agree_on_textured_meshes) {
   scene_ = meshScene();
   traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
   const Image picture = render(scene_, scenes::roomView(), film, 1);
-  Judge judge(traced_);
-  std::size_t compared = 0;
-  for (const PathRecord& path : record(1)) {
-    const std::size_t at = 3 * (std::size_t(path.y) * film.width + path.x);
-    for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(path.rows[1][c], picture.pixels[at + c], 1e-5f * std::fabs(picture.pixels[at + c]) + 1e-7f);
-    for (const Finding& f : judge.compare(path)) {
-      compared += 1;
-      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
-                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
-                              << " / " << f.reference;
-    }
-  }
-  EXPECT_GT(compared, 1000u);
+  const std::vector<PathRecord> paths = record(1);
+  expectThoseOf(paths, picture);
+  EXPECT_GT(expectNoneParts(paths), 1000u);
 }
 
 TEST_F(VerifiedPaths, float_and_double_agree_on_shapes_and_meshes_in_one_hierarchy) {
@@ -118,16 +118,7 @@ TEST_F(VerifiedPaths, float_and_double_agree_on_shapes_and_meshes_in_one_hierarc
               scenes::lambert(glm::vec3(0.5f)));
   traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
   ASSERT_TRUE(traced_.scene.shapeHierarchy());
-  Judge judge(traced_);
-  std::size_t compared = 0;
-  for (const PathRecord& path : record(2))
-    for (const Finding& f : judge.compare(path)) {
-      compared += 1;
-      EXPECT_FALSE(f.parts()) << infoOf(f.quantity).stage << " " << infoOf(f.quantity).name << " pixel "
-                              << path.x << "," << path.y << " vertex " << f.vertex << ": " << f.device
-                              << " / " << f.reference;
-    }
-  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(expectNoneParts(record(2)), 1000u);
 }
 
 TEST_F(VerifiedPaths, a_wrong_distance_is_named_intersection) {

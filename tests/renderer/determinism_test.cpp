@@ -21,17 +21,23 @@ class DeterminismTest : public RendererTest {
     EXPECT_EQ(renderer().stats().samples, samples);
     return renderer().radiance();
   }
+  static void expectSameBytes(const Image& picture, const Image& expected) {
+    EXPECT_TRUE(picture == expected);
+    measured("pictures that differ", !(picture == expected), 0);
+  }
 };
 
-TEST_F(DeterminismTest, Row16AnyBatchBudgetGivesTheSameBytes) {
+TEST_F(DeterminismTest, row16_any_batch_budget_gives_the_same_bytes) {
   const Scene scene = room(6);
   const Extent film{40, 56};
   const Image whole = renderInBatches(scene, film, 48, 1e6);
-  for (const double budget : {1e-3, 0.05, 0.7, 5.0, 200.0})
-    EXPECT_TRUE(renderInBatches(scene, film, 48, budget) == whole) << budget << " ms";
+  for (const double budget : {1e-3, 0.05, 0.7, 5.0, 200.0}) {
+    SCOPED_TRACE(budget);
+    expectSameBytes(renderInBatches(scene, film, 48, budget), whole);
+  }
 }
 
-TEST_F(DeterminismTest, Row16SamplesThatFillTheLoopBudgetEqualSingleDispatches) {
+TEST_F(DeterminismTest, row16_samples_that_fill_the_loop_budget_equal_single_dispatches) {
   Scene scene = room(64);
   scene.render.russianRoulette = true;
   for (int i = 0; i < 24; ++i) {
@@ -42,7 +48,7 @@ TEST_F(DeterminismTest, Row16SamplesThatFillTheLoopBudgetEqualSingleDispatches) 
       add(scene, at(p), Box{{0.2, 0.2, 0.2}}, metal(0.05f));
   }
   const Image many = renderInBatches(scene, {24, 24}, 32, 1e6);
-  EXPECT_TRUE(renderInBatches(scene, {24, 24}, 32, 1e-3) == many);
+  expectSameBytes(renderInBatches(scene, {24, 24}, 32, 1e-3), many);
 }
 
 TEST_F(DeterminismTest, SceneSetAgainGivesTheSameBytesAndAnotherSeedDoesNot) {
@@ -117,7 +123,7 @@ TEST_F(DeterminismTest, CoarsePreviewLeavesNoTraceInTheSamples) {
   EXPECT_TRUE(renderer().radiance() == expected);
 }
 
-TEST_F(DeterminismTest, Row16SceneBeyondTheLoopBudgetIsRefusedAndTheOldOneStays) {
+TEST_F(DeterminismTest, row16_scene_beyond_the_loop_budget_is_refused_and_the_old_one_stays) {
   if (!onCpu()) GTEST_SKIP() << "only drivers with a short loop counter refuse scenes of this size";
   const Image old = render(room(2), roomView(), {16, 16}, 4);
   Scene scene = plainScene(64);
@@ -132,7 +138,7 @@ TEST_F(DeterminismTest, Row16SceneBeyondTheLoopBudgetIsRefusedAndTheOldOneStays)
     EXPECT_NE(std::string(error.what()).find("600 shapes"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("Set the bounces to"), std::string::npos) << error.what();
   }
-  EXPECT_TRUE(renderer().radiance() == old);
+  expectSameBytes(renderer().radiance(), old);
   scene.render.maxBounces = 40;  // what the message advises must work
   EXPECT_GT(meanOf(render(scene, lookAt({5, 1, 5}, {5, 0, 0}, 1.0), {16, 16}, 2)).value, -1.0);
 }

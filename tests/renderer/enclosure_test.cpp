@@ -55,32 +55,33 @@ class EnclosureTest : public RendererTest {
     // One path in a million may slip out where two shapes cross, which a pixel of few samples shows; one
     // shape is tight.
     EXPECT_LT(worst, kind == Room::mixed ? 1.0 / samples : 1e-4);
+    measured("relative error of the worst pixel", worst, kind == Room::mixed ? 1.0 / samples : 1e-4);
   }
 };
 
-TEST_F(EnclosureTest, Row33SphereHoldsTheGeometricSeriesOfItsAlbedo) {
+TEST_F(EnclosureTest, row33_sphere_holds_the_geometric_series_of_its_albedo) {
   for (const float rho : {0.5f, 0.9f})
     for (const int bounces : {8, 64}) expectUniform(Room::sphere, rho, bounces);
 }
 
-TEST_F(EnclosureTest, Row33BoxHoldsTheGeometricSeriesOfItsAlbedo) {
+TEST_F(EnclosureTest, row33_box_holds_the_geometric_series_of_its_albedo) {
   for (const float rho : {0.5f, 0.9f})
     for (const int bounces : {8, 64}) expectUniform(Room::box, rho, bounces);
 }
 
-TEST_F(EnclosureTest, Row33MixedShapesHoldTheGeometricSeriesOfTheirAlbedo) {
+TEST_F(EnclosureTest, row33_mixed_shapes_hold_the_geometric_series_of_their_albedo) {
   for (const float rho : {0.5f, 0.9f})
     for (const int bounces : {8, 64}) expectUniform(Room::mixed, rho, bounces);
 }
 
-TEST_F(EnclosureTest, Row33SampledLightKeepsTheSeries) {
+TEST_F(EnclosureTest, row33_sampled_light_keeps_the_series) {
   for (const int bounces : {0, 3, 8}) {
     const Scene scene = enclosure(Room::mixed, 0.9f, 0.5f, bounces);
     expectMean(meanOf(render(scene, inside(), {32, 32}, 128)), 0.5 * gathered(0.9, bounces), 0.0);
   }
 }
 
-TEST_F(EnclosureTest, Row33PointLightInTheMiddleOfASphereLightsItEvenly) {
+TEST_F(EnclosureTest, row33_point_light_in_the_middle_of_a_sphere_lights_it_evenly) {
   Scene scene = plainScene(20);
   add(scene, at({0, 0, 0}), Sphere{2.0}, lambert(glm::vec3(0.7f)));
   addLight(scene, at({0, 0, 0}), PointLight{}, 3.0f);
@@ -88,16 +89,16 @@ TEST_F(EnclosureTest, Row33PointLightInTheMiddleOfASphereLightsItEvenly) {
   expectMean(meanOf(image), 0.7 * 3.0 / (pi * 4.0) * gathered(0.7, 19), 1e-4);
 }
 
-TEST_F(EnclosureTest, Row33RussianRouletteKeepsTheMean) {
+TEST_F(EnclosureTest, row33_russian_roulette_keeps_the_mean) {
   Scene scene = enclosure(Room::mixed, 0.9f, 0.5f, 64);
   scene.render.russianRoulette = true;
   const Mean mean = meanOf(render(scene, inside(), {32, 32}, 128));
   EXPECT_GT(mean.sigma, 0.0);  // it did end paths
-  EXPECT_NEAR(mean.value, 0.5 * gathered(0.9, 64), 3.0 * mean.sigma);
+  expectMean(mean, 0.5 * gathered(0.9, 64), 0.0);
   EXPECT_LT(mean.sigma, 0.003 * mean.value);
 }
 
-TEST_F(EnclosureTest, RussianRouletteOnAndOffAgreeInAFurnishedRoom) {
+TEST_F(EnclosureTest, row32_russian_roulette_on_and_off_agree_in_a_furnished_room) {
   Scene scene = room(12);
   const Image off = render(scene, roomView(), {32, 32}, 128);
   scene.render.russianRoulette = true;
@@ -109,11 +110,12 @@ TEST_F(EnclosureTest, RussianRouletteOnAndOffAgreeInAFurnishedRoom) {
     for (std::size_t i = 0; i < a.size(); ++i) difference.push_back(b[i] - a[i]);
     const Mean mean = meanOf(difference);
     EXPECT_NEAR(mean.value, 0.0, 3.0 * mean.sigma);
+    measured("difference of the means, standard errors", std::abs(mean.value) / mean.sigma, 3.0);
     EXPECT_LT(mean.sigma, 0.02 * meanOf(a).value);
   }
 }
 
-TEST_F(EnclosureTest, Row34TwoInfinitePlanesExchangeLightWithoutEnd) {
+TEST_F(EnclosureTest, row34_two_infinite_planes_exchange_light_without_end) {
   Scene scene = plainScene(64);
   add(scene, at({0, 0, 0}), Plane{}, emitter(1.0f, glm::vec3(0.5f)));
   add(scene, at({0, 2, 0}, {1, 0, 0}, pi), Plane{}, lambert(glm::vec3(0.8f)));

@@ -140,7 +140,7 @@ class FuzzTest : public RendererTest {
  protected:
   /// Scenes of sizes and distances 10^-decades to 10^decades: as many as STERADIAN_FUZZ_SCENES asks for over
   /// all three tests (10000 is what row 40 wants of a nightly run), or as many as ten seconds allow.
-  void fuzz(double decades) {
+  void expectNoLostSample(double decades) {
     const char* wanted = std::getenv("STERADIAN_FUZZ_SCENES");
     const int most = wanted ? std::atoi(wanted) / 3 + 1 : 1500;
     const double limit = wanted ? 1e9 : 10.0;
@@ -159,25 +159,25 @@ class FuzzTest : public RendererTest {
       if (meanOf(image).value > 0.0) ++lit;
       ASSERT_FALSE(HasFailure()) << "scene " << count << " of 10^+-" << decades;
     }
-    RecordProperty("scenes", count);
+    measuredAtLeast("scenes without NaN or a lost sample", count, 101);
     EXPECT_GT(count, 100);
     EXPECT_GT(lit, count / 4);
   }
 };
 
-TEST_F(FuzzTest, Row40OrdinaryScenesLoseNoSample) {
-  fuzz(1.0);
+TEST_F(FuzzTest, row40_ordinary_scenes_lose_no_sample) {
+  expectNoLostSample(1.0);
 }
 
-TEST_F(FuzzTest, Row40WideScenesLoseNoSample) {
-  fuzz(4.0);
+TEST_F(FuzzTest, row40_wide_scenes_lose_no_sample) {
+  expectNoLostSample(4.0);
 }
 
-TEST_F(FuzzTest, Row40ScenesAtTheLimitsOfValidationLoseNoSample) {
-  fuzz(12.0);
+TEST_F(FuzzTest, row40_scenes_at_the_limits_of_validation_lose_no_sample) {
+  expectNoLostSample(12.0);
 }
 
-TEST_F(FuzzTest, Row40WhatCannotBeRenderedIsRefused) {
+TEST_F(FuzzTest, row40_what_cannot_be_rendered_is_refused) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, 1e30, 1e-30, nan, inf}) {
     const Shape shapes[] = {Sphere{bad}, Box{{1, bad, 1}}, Rect{{bad, 1}},
@@ -186,6 +186,7 @@ TEST_F(FuzzTest, Row40WhatCannotBeRenderedIsRefused) {
       Scene scene = plainScene(1);
       add(scene, at({0, 0, 0}), shape, Material{});
       EXPECT_EQ(problemsOf(scene).size(), 1u) << bad << ", shape " << shape.index();
+      measuredAtLeast("problems found in an unsound scene", double(problemsOf(scene).size()), 1);
     }
     Scene scene = plainScene(1);
     add(scene, at({0, 0, 0}, {0, 1, 0}, 0.0, {1, bad, 1}), Sphere{1.0}, Material{});
@@ -193,13 +194,16 @@ TEST_F(FuzzTest, Row40WhatCannotBeRenderedIsRefused) {
   }
 }
 
-TEST_F(FuzzTest, Row40HiddenAndEmptyScenesRenderBlack) {
+TEST_F(FuzzTest, row40_hidden_and_empty_scenes_render_black) {
   Scene scene = plainScene(3);
   const CameraView view = lookAt({0, 0, 5}, {0, 0, 0}, 1.0);
   for (const float value : render(scene, view, {8, 8}, 4).pixels) EXPECT_EQ(value, 0.0f);
   add(scene, at({0, 0, 0}), Sphere{1.0}, emitter(1.0f));
   scene.objects.back().visible = false;
-  for (const float value : render(scene, view, {8, 8}, 4).pixels) EXPECT_EQ(value, 0.0f);
+  for (const float value : render(scene, view, {8, 8}, 4).pixels) {
+    EXPECT_EQ(value, 0.0f);
+    measured("light without a source", std::abs(double(value)), 0);
+  }
   EXPECT_FALSE(renderer().pick(4, 4));
 }
 

@@ -121,7 +121,7 @@ TEST_F(IrradianceTest, ManyLightsPickedByStrataStayUnbiased) {
   }
 }
 
-TEST_F(IrradianceTest, Row34RectDiskAndSphereLightsGiveTheirFormFactors) {
+TEST_F(IrradianceTest, row34_rect_disk_and_sphere_lights_give_their_form_factors) {
   Scene rect = ground(1);
   add(rect, at({0, 1, 0}), Rect{{1, 1}}, emitter(1.0f));
   expectMean(irradiance(rect, {0, 0, 0}, 1024), 0.7522746885, 0.005);
@@ -133,7 +133,7 @@ TEST_F(IrradianceTest, Row34RectDiskAndSphereLightsGiveTheirFormFactors) {
   expectMean(irradiance(sphere, {0, 0, 0}, 1024), 0.785398, 0.005);
 }
 
-TEST_F(IrradianceTest, Row34UnitSquaresExchangeTheirFormFactors) {
+TEST_F(IrradianceTest, row34_unit_squares_exchange_their_form_factors) {
   // A pinhole maps its film evenly onto a parallel plane, so the mean over the film is the mean over the
   // square.
   const double height = 0.999;
@@ -146,7 +146,7 @@ TEST_F(IrradianceTest, Row34UnitSquaresExchangeTheirFormFactors) {
   expectMean(meanOf(render(corner, square, {32, 32}, 256)), 0.2000437761, 0.005);
 }
 
-TEST_F(IrradianceTest, Row34UnitSphereOnAPlaneHidesItsShareOfTheSky) {
+TEST_F(IrradianceTest, row34_unit_sphere_on_a_plane_hides_its_share_of_the_sky) {
   Scene scene = ground(1);
   add(scene, at({0, 0, 0}), Sphere{1000.0}, emitter(1.0f));
   add(scene, at({0, 1, 0}), Sphere{1.0}, lambert(glm::vec3(0.0f)));

@@ -54,6 +54,8 @@ class LightsTest : public RendererTest {
         differences.push_back(double(alone.pixels[i]) - both.pixels[i]);
       const Mean difference = meanOf(differences);
       EXPECT_NEAR(difference.value, 0.0, 3.0 * difference.sigma);
+      measured("difference of the means, standard errors", std::abs(difference.value) / difference.sigma,
+               3.0);
       EXPECT_LT(difference.sigma, 0.01 * meanOf(both).value) << "too noisy to tell";
     }
   }

@@ -128,6 +128,7 @@ TEST_F(LightsTest, row41_the_special_pipeline_sees_the_same_lights) {
     const Image special = render(few, view, {16, 16}, 32, 0);
     EXPECT_TRUE(renderer().stats().variant.specialized);
     EXPECT_LT(mrse(special, generic), onCpu() ? 1e-12 : 1e-6) << lightSamples;
+    measured("MRSE against the generic pipeline", mrse(special, generic), onCpu() ? 1e-12 : 1e-6);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/light_tree.hpp"
+#include "tests/measured.hpp"
 
 namespace steradian {
 namespace {
@@ -36,7 +37,7 @@ std::uint64_t iterationsOfADispatch(const gpu::TraceParams& p, const LoopPlan& p
   return turn * (p.maxBounces + 1) * plan.samplesPerDispatch;
 }
 
-TEST(LoopBudget, Row16NoPlannedDispatchReachesTheDriversLimit) {
+TEST(LoopBudget, row16_no_planned_dispatch_reaches_the_drivers_limit) {
   int planned = 0, refused = 0;
   for (const unsigned shapes : {1u, 10u, 100u, 300u, 1000u, 5000u, 20000u})
     for (const unsigned lights : {0u, 1u, 7u, 500u})
@@ -49,6 +50,8 @@ TEST(LoopBudget, Row16NoPlannedDispatchReachesTheDriversLimit) {
             EXPECT_GE(plan.samplesPerDispatch, 1u);
             EXPECT_LE(plan.lightSamples, samples);
             EXPECT_LE(iterationsOfADispatch(p, plan), cpuDriverLoopBudget);
+            measured("loop iterations of an invocation", double(iterationsOfADispatch(p, plan)),
+                     double(cpuDriverLoopBudget));
           } catch (const Error& error) {
             ++refused;
             EXPECT_EQ(error.code(), ExitCode::badInput);
@@ -60,7 +63,7 @@ TEST(LoopBudget, Row16NoPlannedDispatchReachesTheDriversLimit) {
   EXPECT_GT(refused, 20);
 }
 
-TEST(LoopBudget, Row16TheAdvisedNumberOfBouncesFits) {
+TEST(LoopBudget, row16_the_advised_number_of_bounces_fits) {
   const gpu::TraceParams asked = worstScene(1000, 4, 8, 64);
   std::string message;
   try {
@@ -74,6 +77,9 @@ TEST(LoopBudget, Row16TheAdvisedNumberOfBouncesFits) {
   gpu::TraceParams advised = asked;
   advised.maxBounces = std::uint32_t(std::stoul(message.substr(found + before.size())));
   EXPECT_NO_THROW(planLoops(advised, cpuDriverLoopBudget));
+  measured("loop iterations of an invocation",
+           double(iterationsOfADispatch(advised, planLoops(advised, cpuDriverLoopBudget))),
+           double(cpuDriverLoopBudget));
   advised.maxBounces += 1;
   EXPECT_THROW(planLoops(advised, cpuDriverLoopBudget), Error);
 }

@@ -38,7 +38,10 @@ TEST_F(Meshes, row33_a_closed_mesh_of_glowing_walls_has_the_same_radiance_everyw
     // Every sample is the same number: a single leak shows.
     const Image image =
         render(scene, lookAt({0.2, 0.1, 0.3}, {1, 0.4, -0.5}, 1.2), film, bounces > 8 ? 8 : 64);
-    for (const float value : image.pixels) ASSERT_NEAR(value, expected, 1e-4 * expected);
+    for (const float value : image.pixels) {
+      ASSERT_NEAR(value, expected, 1e-4 * expected);
+      measured("relative error of the worst pixel", std::abs(value / expected - 1.0), 1e-4);
+    }
   }
 }
 
@@ -97,7 +100,9 @@ TEST_F(Meshes, row14_a_scene_far_from_the_origin_looks_the_same) {
     Scene farScene = scene;
     CameraView farView = view;
     translate(farScene, farView, dvec3(distance, -distance, 0.5 * distance));
-    EXPECT_LT(mrse(render(farScene, farView, {32, 32}, 16), near), 1e-4) << distance;
+    const double difference = mrse(render(farScene, farView, {32, 32}, 16), near);
+    EXPECT_LT(difference, 1e-4) << distance;
+    measured("MRSE against the scene at the origin", difference, 1e-4);
   }
 }
 
@@ -130,6 +135,7 @@ TEST_F(Meshes, row11_no_ray_that_leaves_a_mesh_meets_the_place_it_left) {
       std::size_t wrong = 0;
       for (const float value : image.pixels) wrong += std::abs(value - expected) > 1e-4f * expected;
       EXPECT_EQ(wrong, 0u) << "size " << size << " at " << distance << " from " << cameraSizes << " sizes";
+      measured("pixels that met the square again", double(wrong), 0);
     }
 }
 
@@ -149,6 +155,7 @@ TEST_F(Meshes, row16_the_loops_of_a_deep_mesh_end_within_the_budget) {
     }
   }
   EXPECT_EQ(renderer().radiance(), together);
+  measured("pictures that differ", !(renderer().radiance() == together), 0);
 }
 
 TEST_F(Meshes, row41_a_single_instance_looks_the_same_without_the_hierarchy_above_it) {
@@ -167,6 +174,7 @@ TEST_F(Meshes, row41_a_single_instance_looks_the_same_without_the_hierarchy_abov
     EXPECT_TRUE(special == generic);
   else
     EXPECT_LE(mrse(special, generic), 1e-6);
+  measured("MRSE against the generic pipeline", mrse(special, generic), onCpu() ? 0 : 1e-6);
 }
 
 TEST_F(Meshes, a_mesh_that_is_empty_or_flat_to_nothing_is_not_there) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "renderer/renderer.hpp"
+#include "tests/measured.hpp"
 
 namespace steradian {
 
@@ -48,6 +49,7 @@ class RendererTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     device_ = openDevice({});
+    RecordProperty("device", describe(*device_).name);
     renderer_ = std::make_unique<Renderer>(device_);
   }
   static void TearDownTestSuite() {
@@ -86,9 +88,10 @@ class RendererTest : public testing::Test {
 };
 
 /// Within a share of the expected value or three standard errors, whichever is more.
-inline void expectMean(const Mean& measured, double expected, double share) {
-  EXPECT_NEAR(measured.value, expected, std::max(share * std::abs(expected), 3.0 * measured.sigma))
-      << "standard error " << measured.sigma;
+inline void expectMean(const Mean& mean, double expected, double share) {
+  const double gate = std::max(share * std::abs(expected), 3.0 * mean.sigma);
+  EXPECT_NEAR(mean.value, expected, gate) << "standard error " << mean.sigma;
+  measured("relative error of the mean", std::abs(mean.value / expected - 1.0), gate / std::abs(expected));
 }
 
 }  // namespace steradian

@@ -24,14 +24,16 @@ Scene gallery() {
   return scene;
 }
 
-TEST_F(ScaleTest, Row14SceneAndCameraMovedFarAwayGiveTheSameImage) {
+TEST_F(ScaleTest, row14_scene_and_camera_moved_far_away_give_the_same_image) {
   const Image here = render(gallery(), roomView(), {48, 48}, 16);
   EXPECT_GT(meanOf(here).value, 0.05);
   for (const dvec3& offset : {dvec3(1e5, 0, -1e5), dvec3(-1e6, 1e6, 1e6)}) {
     Scene scene = gallery();
     CameraView view = roomView();
     translate(scene, view, offset);
-    EXPECT_LT(mrse(render(scene, view, {48, 48}, 16), here), 1e-4) << offset.x;
+    const double difference = mrse(render(scene, view, {48, 48}, 16), here);
+    EXPECT_LT(difference, 1e-4) << offset.x;
+    measured("MRSE against the scene at the origin", difference, 1e-4);
   }
 }
 
@@ -40,7 +42,7 @@ double openSky(double x) {
   return 1.0 - std::pow(1.0 + x * x, -1.5);
 }
 
-TEST_F(ScaleTest, Row15MillimetreSphereShadesAPlanetSizedGround) {
+TEST_F(ScaleTest, row15_millimetre_sphere_shades_a_planet_sized_ground) {
   const double r = 1e-3, planet = 1e6;
   Scene scene = plainScene(1);
   add(scene, at({0, -planet, 0}), Sphere{planet}, lambert(glm::vec3(1.0f)));
@@ -52,6 +54,8 @@ TEST_F(ScaleTest, Row15MillimetreSphereShadesAPlanetSizedGround) {
     const CameraView view = lookAt(point + dvec3(0, 10 * r, 17 * r), point, 0.002);
     const Mean seen = meanOf(render(scene, view, {16, 16}, 512));
     EXPECT_NEAR(seen.value, openSky(x), 0.02 * openSky(x) + 3.0 * seen.sigma);
+    measured("relative error of the open sky", std::abs(seen.value / openSky(x) - 1.0),
+             0.02 + 3.0 * seen.sigma / openSky(x));
   }
 }
 

@@ -129,10 +129,11 @@ class VariantsTest : public RendererTest {
     } else {
       EXPECT_LE(mrse(special, generic), 1e-6);
     }
+    measured("MRSE against the generic pipeline", mrse(special, generic), onCpu() ? 0 : 1e-6);
   }
 };
 
-TEST_F(VariantsTest, Row41SpecialPipelinesGiveThePictureOfTheGenericOne) {
+TEST_F(VariantsTest, row41_special_pipelines_give_the_picture_of_the_generic_one) {
   std::set<std::string> used, leftOut;
   for (const FeatureScene& c : cases()) {
     SCOPED_TRACE(c.name);

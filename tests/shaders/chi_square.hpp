@@ -58,4 +58,9 @@ inline double chiSquare(const Rows& drawn, std::size_t stride, const Density& de
   return oracle::chiSquareP(statistic, bins - 1);
 }
 
+inline void expectDensity(double p, double significance, const std::string& what) {
+  EXPECT_GT(p, significance) << what;
+  measuredAtLeast("least p of chi-square", p, significance);
+}
+
 }  // namespace steradian::kernel

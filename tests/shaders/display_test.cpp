@@ -12,6 +12,7 @@
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/buffer.hpp"
 #include "renderer/gpu/render_target.hpp"
+#include "tests/measured.hpp"
 
 namespace steradian {
 namespace {
@@ -20,7 +21,10 @@ using gpu::QueueKind;
 
 class DisplayPass : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { device_ = openDevice({}); }
+  static void SetUpTestSuite() {
+    device_ = openDevice({});
+    RecordProperty("device", device_->description().name);
+  }
   static void TearDownTestSuite() {
     EXPECT_EQ(device_->validationMessages(), 0);
     device_.reset();
@@ -79,6 +83,7 @@ TEST_F(DisplayPass, row39_a_million_values_are_encoded_to_a_hundredth_of_a_code)
             std::max(worstGamma, 255.0 * std::fabs(std::pow(double(colours[i][c]), 1 / 2.2) - curve));
     }
   EXPECT_LE(worst, 0.01);
+  measured("error of the sRGB curve, codes of 255", worst, 0.01);
   EXPECT_GT(worstGamma, 8.0) << "a plain power of 2.2 is not the sRGB curve";
 }
 
@@ -92,6 +97,7 @@ TEST_F(DisplayPass, row39_plain_gamma_and_exposure_do_what_they_say) {
   EXPECT_EQ(shown[0].z, 0.0f);
   EXPECT_NEAR(shown[1].x, 1.0, 1e-6);
   EXPECT_EQ(shown[1].y, 1.0f);
+  measured("error of a power of 1/2.2", std::fabs(double(shown[0].x) - std::pow(0.2, 1 / 2.2)), 1e-4);
 }
 
 /// Every tonemapper of the product, with its parameters at their defaults.
@@ -188,12 +194,15 @@ TEST_F(DisplayPass, row42_20_reinhard_on_luminance_keeps_the_hue_and_per_channel
   const auto byLuminance = show(named(all, "org.steradian.tonemap.reinhard_luminance"), {}, {orange})[0];
   const auto byChannel = show(named(all, "org.steradian.tonemap.reinhard"), {}, {orange})[0];
   EXPECT_NEAR(ratio(byLuminance), 5.0, 1e-3);
+  measured("shift of a ratio of channels", std::fabs(ratio(byLuminance) - 5.0), 1e-3);
   EXPECT_LT(ratio(byChannel), 4.0);
 }
 
 TEST_F(DisplayPass, row42_19_the_curve_is_not_a_power) {
   const float shown = show(identity, {}, {glm::vec3(0.0022f)})[0].x;
   EXPECT_NEAR(255 * shown, 255 * 12.92 * 0.0022, 0.01);
+  measured("error of the sRGB curve, codes of 255", std::fabs(255 * double(shown) - 255 * 12.92 * 0.0022),
+           0.01);
   EXPECT_NEAR(255 * std::pow(0.0022, 1 / 2.2) - 255 * shown, 8.55, 0.1) << "printed: x^(1/2.2)";
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 class Errata : public KernelTest {
  protected:
+  void TearDown() override { measured("failed assertions on an erratum", HasFailure(), 0); }
+
   static double hitShape(std::uint32_t operation, glm::vec3 o, glm::vec3 d, glm::vec4 shape,
                          bool self = false) {
     const Rows rows = {glm::vec4(o, self), glm::vec4(d, 0), shape, {}, {}};

@@ -28,6 +28,7 @@ std::shared_ptr<gpu::Device> KernelTest::device_;
 
 void KernelTest::SetUpTestSuite() {
   device_ = openDevice({});
+  RecordProperty("device", device_->description().name);
 }
 
 void KernelTest::TearDownTestSuite() {

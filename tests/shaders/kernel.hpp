@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer/gpu/device.hpp"
+#include "tests/measured.hpp"
 
 namespace steradian::kernel {
 

@@ -38,6 +38,11 @@ double histogramP(const std::vector<Sample>& samples, const std::function<dvec3(
   return oracle::chiSquareP(statistic, degrees);
 }
 
+void expectEven(double p, double significance, const std::string& what) {
+  EXPECT_GT(p, significance) << what;
+  measuredAtLeast("least p of chi-square", p, significance);
+}
+
 constexpr std::size_t manySamples = 1'000'000;
 const double sidak = 1 - std::pow(0.99, 1.0 / 11);  // eleven histograms
 double evenShare(int, int) {
@@ -69,17 +74,16 @@ TEST_F(Lights, row24_cones_of_spheres_and_suns_are_filled_evenly) {
     const dvec3 f = dvec3(centre) - dvec3(p);
     const double s2 = 1 / glm::dot(f, f);
     const auto samples = draw(sphereLight(centre, 1, 1), p, manySamples);
-    EXPECT_GT(coneP(samples, glm::normalize(f), s2 / (1 + std::sqrt(1 - s2))), sidak) << ratio;
+    expectEven(coneP(samples, glm::normalize(f), s2 / (1 + std::sqrt(1 - s2))), sidak, std::to_string(ratio));
   }
-  EXPECT_GT(coneP(draw(sphereLight(p + vec3(0.5f, 0, 0), 1, 1), p, manySamples), {1, 0, 0}, 2), sidak)
-      << "inside";
+  expectEven(coneP(draw(sphereLight(p + vec3(0.5f, 0, 0), 1, 1), p, manySamples), {1, 0, 0}, 2), sidak,
+             "inside");
   for (const double half : {0.00465, 0.7}) {
     const vec3 axis(glm::normalize(dvec3(-1, 2, 0.5)));
     const double s = std::sin(0.5 * half);
-    EXPECT_GT(
+    expectEven(
         coneP(draw(directionalLight(axis, 1, half), p, manySamples), glm::normalize(dvec3(axis)), 2 * s * s),
-        sidak)
-        << half;
+        sidak, std::to_string(half));
   }
 }
 
@@ -103,7 +107,7 @@ TEST_F(Lights, row24_rects_are_filled_evenly_by_solid_angle) {
           const Real x = seen.x0 + Real(r) * dx, y = seen.y0 + Real(c) * dy;
           return double(seen.solidAngle(x, x + dx, y, y + dy) / whole);
         });
-    EXPECT_GT(probability, sidak) << "offset " << offset.x << ", solid angle " << double(whole);
+    expectEven(probability, sidak, "offset " + std::to_string(offset.x));
   }
 }
 
@@ -118,7 +122,7 @@ TEST_F(Lights, row24_disks_are_filled_evenly_by_area) {
         return dvec3(x * x + y * y, turn(x, y), 0);
       },
       evenShare);
-  EXPECT_GT(probability, sidak);
+  expectEven(probability, sidak, "disk");
 }
 
 }  // namespace

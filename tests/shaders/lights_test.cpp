@@ -55,6 +55,7 @@ TEST_F(Lights, row28_a_sphere_is_sampled_over_exactly_the_solid_angle_that_it_fi
       EXPECT_NEAR(s.illuminance * s.pdf, 3, 1e-6);
     }
     EXPECT_LE(worst, 1e-5) << "distance / radius " << ratio;
+    measured("error of density x solid angle", worst, 1e-5);
   }
 }
 
@@ -63,10 +64,12 @@ TEST_F(Lights, row28_its_irradiance_falls_with_the_square_of_the_distance) {
     const vec3 p(0.3f, -0.2f, 0.5f), centre = p + vec3(dvec3(2, 3, 6) / 7.0 * ratio);
     const dvec3 axis = glm::normalize(dvec3(centre) - dvec3(p));
     const double d2 = glm::dot(dvec3(centre) - dvec3(p), dvec3(centre) - dvec3(p));
-    const auto samples = draw(sphereLight(centre, 1, 1), p, 1 << 14);
+    const auto samples = draw(sphereLight(centre, 1, 1), p, 1 << 18);
     const Estimate e =
         estimate(samples, [&](const Sample& s) { return s.illuminance * glm::dot(s.wi, axis); });
     EXPECT_NEAR(e.mean, M_PI / d2, 3 * e.sigma + 1e-6 * M_PI / d2) << ratio;
+    measured("relative error of the irradiance", std::fabs(e.mean * d2 / M_PI - 1),
+             3 * e.sigma * d2 / M_PI + 1e-6);
     for (const Sample& s : samples) {
       const double miss = glm::length(dvec3(p) + s.wi * s.distance - dvec3(centre)) - 1.0;
       ASSERT_NEAR(miss, 0, 4e-7 * ratio + 1e-5) << ratio;
@@ -77,10 +80,11 @@ TEST_F(Lights, row28_its_irradiance_falls_with_the_square_of_the_distance) {
 
 TEST_F(Lights, row28_from_inside_a_sphere_all_directions_are_sampled) {
   const vec3 centre(5, 6, 7), p = centre + vec3(0.3f, -1.2f, 0.4f);
-  const auto samples = draw(sphereLight(centre, 1, 2), p, 1 << 14);
+  const auto samples = draw(sphereLight(centre, 1, 2), p, 1 << 18);
   const Estimate up =
       estimate(samples, [](const Sample& s) { return s.illuminance * std::max(s.wi.y, 0.0); });
   EXPECT_NEAR(up.mean, M_PI, 3 * up.sigma);
+  measured("relative error of the irradiance", std::fabs(up.mean / M_PI - 1), 3 * up.sigma / M_PI);
   for (const Sample& s : samples) {
     ASSERT_NEAR(glm::length(dvec3(p) + s.wi * s.distance - dvec3(centre)), 2.0, 1e-5);
     ASSERT_FLOAT_EQ(float(s.pdf), float(0.25 / M_PI));
@@ -102,8 +106,12 @@ TEST_F(Lights, row28_a_point_on_the_sphere_itself_is_never_lit_from_outside) {
               each);
   }
   const auto samples = ask(batch.scene, batch.questions);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  double worst = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     ASSERT_LE(glm::dot(samples[i].wi, normals[i / each]), 0.01) << "radius " << batch.light(i / each)[1].w;
+    worst = std::max(worst, glm::dot(samples[i].wi, normals[i / each]));
+  }
+  measured("largest cosine to the normal", worst, 0.01);
 }
 
 TEST_F(Lights, row29_a_rect_is_sampled_over_exactly_the_solid_angle_that_it_fills) {
@@ -131,6 +139,7 @@ TEST_F(Lights, row29_a_rect_is_sampled_over_exactly_the_solid_angle_that_it_fill
     }
     EXPECT_GE(bySolidAngle, 100) << size;
     EXPECT_LE(worst, 2e-4) << "size / distance " << size;
+    measured("relative error of the solid angle", worst, 2e-4);
     std::cout << "size / distance " << size << ": worst relative error of the solid angle " << worst << "\n";
   }
 }
@@ -144,6 +153,8 @@ TEST_F(Lights, row29_small_and_wide_and_sheared_rects_fill_the_same_solid_angle_
     const Estimate e = estimate(samples, [](const Sample& s) { return 1.0 / s.pdf; });
     const double solidAngle = double(SeenRect(light, Vec(p)).solidAngle());
     EXPECT_NEAR(e.mean, solidAngle, 3 * e.sigma + 2e-4 * solidAngle) << size;
+    measured("relative error of the solid angle", std::fabs(e.mean / solidAngle - 1),
+             3 * e.sigma / solidAngle + 2e-4);
   }
   // Two rects that share an edge, sheared against each other, cover one rect together.
   const Rows left =
@@ -166,6 +177,8 @@ TEST_F(Lights, row29_unit_rect_at_unit_height_gives_its_known_irradiance) {
   EXPECT_NEAR(1 / samples[0].pdf, 0.8054316832, 1e-5);
   const Estimate e = estimate(samples, [](const Sample& s) { return -s.wi.z * s.illuminance; });
   EXPECT_NEAR(e.mean, 0.7522746885, 3 * e.sigma);
+  measured("error of the solid angle", std::fabs(1 / samples[0].pdf - 0.8054316832), 1e-5);
+  measured("relative error of E / L", std::fabs(e.mean / 0.7522746885 - 1), 3 * e.sigma / 0.7522746885);
   EXPECT_LT(e.sigma, 2e-4);
   for (const Sample& s : samples) ASSERT_NEAR(-s.wi.z * s.distance, 1, 1e-6) << "it ends on the rect";
 }
@@ -175,6 +188,7 @@ TEST_F(Lights, row29_a_disk_gives_its_known_irradiance_and_an_ellipse_its_area) 
   const Estimate e =
       estimate(draw(disk, vec3(0), 1 << 18), [](const Sample& s) { return -s.wi.z * s.illuminance; });
   EXPECT_NEAR(e.mean, M_PI / 5, 3 * e.sigma);
+  measured("relative error of E / L", std::fabs(e.mean * 5 / M_PI - 1), 15 * e.sigma / M_PI);
   const Rows ellipse = flatLight(gpu::LIGHT_DISK, vec3(0, 0, -1e3f), 1, vec3(2, 0, 0), vec3(1, 0.5f, 0));
   const Sample far = draw(ellipse, vec3(0), 1)[0];
   EXPECT_NEAR(1e6 / far.pdf, M_PI, 1e-4) << "conjugate semi-axes";
@@ -218,6 +232,7 @@ TEST_F(Lights, row25_a_sample_carries_the_density_that_is_stated_for_its_directi
     ++checked;
   }
   EXPECT_LE(worst, 1e-4);
+  measured("relative difference of the two densities", worst, 1e-4);
   EXPECT_GT(checked, 40'000);
 }
 

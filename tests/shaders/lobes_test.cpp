@@ -21,7 +21,7 @@ constexpr double significance = 0.001;  // 0.01 over ten tests (Sidak)
 
 TEST_F(Lobes, row24_cosine_hemisphere_has_its_density) {
   const Rows drawn = run(sampling, {.operation = 1, .rowsIn = 0, .invocations = samples}, {});
-  EXPECT_GT(chiSquare(drawn, 1, [](oracle::Vec w) { return w.z / M_PI; }), significance);
+  expectDensity(chiSquare(drawn, 1, [](oracle::Vec w) { return w.z / M_PI; }), significance, "cosine");
   EXPECT_LT(chiSquare(drawn, 1, [](oracle::Vec) { return 0.5 / M_PI; }), significance)
       << "the test must bite";
 }
@@ -33,8 +33,8 @@ TEST_F(Lobes, row24_visible_normals_have_their_density) {
     const Rows drawn = run(sampling, {.operation = 2, .rowsIn = 0, .invocations = samples}, {question});
     const oracle::Vec wo(xyz(question));
     const oracle::Real a = question.w;
-    EXPECT_GT(chiSquare(drawn, 1, [&](oracle::Vec m) { return oracle::visiblePdf(wo, m, a); }), significance)
-        << "cosine " << mu << ", alpha " << alpha;
+    expectDensity(chiSquare(drawn, 1, [&](oracle::Vec m) { return oracle::visiblePdf(wo, m, a); }),
+                  significance, "alpha " + std::to_string(alpha));
   }
 }
 
@@ -83,8 +83,8 @@ TEST_F(Lobes, row24_mixtures_are_sampled_with_the_density_they_state) {
     const Rows drawn =
         drawMixture(mix, [](const Kernel& k, const Task& t, const Rows& r) { return run(k, t, r); });
     const oracle::Vec wo{glm::dvec3(glm::vec3(direction(mix.mu, 0.7)))};
-    EXPECT_GT(chiSquare(drawn, 3, [&](oracle::Vec wi) { return mixturePdf(mix, wo, wi); }), significance)
-        << mix.name;
+    expectDensity(chiSquare(drawn, 3, [&](oracle::Vec wi) { return mixturePdf(mix, wo, wi); }), significance,
+                  mix.name);
   }
 }
 
@@ -112,6 +112,8 @@ TEST_F(Lobes, row25_weights_and_densities_agree_with_long_double) {
     }
     EXPECT_LE(worstPdf, 1e-4) << mix.name;
     EXPECT_LE(worstWeight, 1e-4) << mix.name;
+    measured("relative error of the density", worstPdf, 1e-4);
+    measured("relative error of the weight", worstWeight, 1e-4);
     if (mix.material.alpha == 1.0f && mix.chance == 1.0f) EXPECT_NEAR(below / samples, 0.5, 5e-3) << mix.name;
     if (mix.chance == 0.0f) EXPECT_EQ(below, 0.0) << mix.name;
   }
@@ -135,6 +137,7 @@ TEST_F(Lobes, row25_densities_integrate_to_one_minus_what_is_rejected) {
       for (std::size_t i = 0; i < nodes.size(); ++i)
         sum += double(answers[i].w) * 4.0 * std::max(0.0, dot(wo, nodes[i].m)) * nodes[i].solidAngle;
       EXPECT_NEAR(sum, 1.0 - rejected, 1e-3) << "alpha " << alpha << ", cosine " << mu;
+      measured("error of the integral of the density", std::fabs(sum - 1 + rejected), 1e-3);
     }
 }
 
@@ -148,6 +151,7 @@ TEST_F(Lobes, row22_the_mean_weight_of_white_facets_is_their_albedo) {
     sum += double(drawn[i].x), squares += std::pow(double(drawn[i].x), 2);
   const double mean = sum / samples, sigma = std::sqrt((squares / samples - mean * mean) / samples);
   EXPECT_NEAR(mean, 1.0 - std::log(2.0), 3 * sigma);
+  measured("error of the mean weight, standard errors", std::fabs(mean - 1.0 + std::log(2.0)) / sigma, 3);
 }
 
 TEST_F(Lobes, a_mirror_reflects_and_weighs_by_fresnel) {
@@ -169,10 +173,13 @@ TEST_F(Lobes, row31_two_strategies_share_each_sample_fully) {
   Random random(31);
   for (int i = 0; i < 100000; ++i) rows.emplace_back(random.decades(-30, 30), random.decades(-30, 30), 0, 0);
   const Rows answers = run(sampling, {.operation = 0}, rows);
+  double worst = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ASSERT_NEAR(answers[i].x + answers[i].y, 1.0f, 1e-6) << rows[i].x << " and " << rows[i].y;
     ASSERT_GE(answers[i].x, 0.0f);
+    worst = std::max(worst, std::fabs(double(answers[i].x + answers[i].y) - 1));
   }
+  measured("error of the sum of weights", worst, 1e-6);
   EXPECT_EQ(answers[0].x, 1.0f);
   EXPECT_EQ(answers[2].x, 0.0f);
   EXPECT_NEAR(answers[4].x, 0.8f, 1e-6);

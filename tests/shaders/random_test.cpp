@@ -38,6 +38,7 @@ TEST_F(Sampler, row37_sixteen_million_hashes_never_give_one) {
     ASSERT_EQ(answer.z, 0.0f);
   }
   EXPECT_LT(largest, 1.0f);
+  measuredAtLeast("1 - the largest number", 1.0 - double(largest), 0x1p-24);
   EXPECT_GT(largest, 0.99999f);
 }
 
@@ -56,6 +57,7 @@ TEST_F(Sampler, row37_the_second_sobol_dimension_follows_its_direction_numbers) 
     }
     ASSERT_EQ(mirrored, sobol) << "index " << index;
   }
+  measuredAtLeast("points that follow", double(answers.size()), 1 << 16);
 }
 
 /// Whether 2^k points put exactly one into each elementary interval of every shape.
@@ -72,15 +74,17 @@ bool isNet(const glm::vec4* points, int k) {
 
 TEST_F(Sampler, row37_every_aligned_block_of_samples_is_a_net) {
   constexpr int samples = 1024, pixels = 8;
+  int nets = 0;
   for (const std::uint32_t dimension : {0u, 1u, 5u})
     for (const std::uint32_t begin : {0u, 1u << 20}) {
       const Rows points = draw(pixels, {.samples = samples, .dimension = dimension, .begin = begin});
       for (int pixel = 0; pixel < pixels; ++pixel)
         for (int k = 0; k <= 10; ++k)
-          for (int block = 0; block < samples >> k; ++block)
+          for (int block = 0; block < samples >> k; ++block, ++nets)
             ASSERT_TRUE(isNet(&points[pixel * samples + (block << k)], k))
                 << "pixel " << pixel << ", dimension " << dimension << ", block " << block << " of 2^" << k;
     }
+  measuredAtLeast("blocks that are nets", nets, 3 * 2 * pixels * (2 * samples - 1));
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
@@ -112,11 +116,13 @@ TEST_F(Sampler, row37_pixels_dimensions_and_halves_are_uncorrelated) {
       std::vector<double> moved = series[a];
       std::rotate(moved.begin(), moved.begin() + long(shift), moved.end());
       EXPECT_LT(std::fabs(correlation(series[a], moved)), gate) << "series " << a << " shifted by " << shift;
+      measured("correlation", std::fabs(correlation(series[a], moved)), gate);
     }
     for (std::size_t b = a + 1; b < series.size(); ++b) {
       const bool samePairOfPixel = a % 4 < 2 && b % 4 < 2 && (a / 4 == 0 || a / 4 >= 4) && b / 4 >= 4;
       if (samePairOfPixel) continue;  // consecutive indices of one stratified sequence repel each other
       EXPECT_LT(std::fabs(correlation(series[a], series[b])), gate) << "series " << a << " and " << b;
+      measured("correlation", std::fabs(correlation(series[a], series[b])), gate);
     }
   }
 }
@@ -136,6 +142,7 @@ TEST_F(Sampler, row37_each_sample_alone_is_uniform_in_the_square) {
       for (const double count : seen) statistic += (count - expected) * (count - expected) / expected;
       EXPECT_GT(oracle::chiSquareP(statistic, cells * cells - 1), 1e-4)
           << "index " << index << ", dimension " << dimension << ": chi-square " << statistic;
+      measuredAtLeast("least p of chi-square", oracle::chiSquareP(statistic, cells * cells - 1), 1e-4);
     }
 }
 
@@ -168,14 +175,20 @@ TEST_F(Sampler, row37_errors_fall_at_the_rates_of_theory) {
   const double smoothTruth = (std::exp(1.0) - 1.0) * 2.0 / M_PI;
   const Integrand disc = [](double x, double y) { return x * x + y * y < 0.64 ? 1.0 : 0.0; };
   const double discTruth = 0.16 * M_PI;
-  EXPECT_NEAR(slopeOf(points, smooth, smoothTruth, 2, 3), -0.5, 0.05) << "independent, smooth";
-  EXPECT_NEAR(slopeOf(points, disc, discTruth, 2, 3), -0.5, 0.05) << "independent, edge";
+  const double smoothly = slopeOf(points, smooth, smoothTruth, 2, 3);
+  const double edgy = slopeOf(points, disc, discTruth, 2, 3);
+  EXPECT_NEAR(smoothly, -0.5, 0.05) << "independent, smooth";
+  EXPECT_NEAR(edgy, -0.5, 0.05) << "independent, edge";
+  measured("independent: distance of the slope from -1/2", std::fabs(smoothly + 0.5), 0.05);
+  measured("independent: distance of the slope from -1/2", std::fabs(edgy + 0.5), 0.05);
   const double edge = slopeOf(points, disc, discTruth, 0, 1);
   EXPECT_LT(edge, -0.65) << "Owen-scrambled, edge";
   EXPECT_GT(edge, -0.85) << "Owen-scrambled, edge";
+  measuredAtLeast("Owen-scrambled: -slope at an edge", -edge, 0.65);
   const double fast = slopeOf(points, smooth, smoothTruth, 0, 1);
   EXPECT_LT(fast, -1.25) << "Owen-scrambled, smooth";
   EXPECT_GT(fast, -1.7) << "Owen-scrambled, smooth";
+  measuredAtLeast("Owen-scrambled: -slope where smooth", -fast, 1.25);
 }
 
 }  // namespace

@@ -239,6 +239,8 @@ TEST_F(Traverse, row16_ten_thousand_shapes_fit_the_loop_budget_and_are_sorted_in
   const Rows hits = ask(nearestHit, packed, anyRays(random, 20000));
   for (std::size_t i = 0; i < hits.size(); i += 2)
     ASSERT_NE(hits[i + 1].w, -2.0f) << "cut by the loop budget";
+  measuredAtLeast("samples that fit a dispatch",
+                  planLoops(packed.params, cpuDriverLoopBudget, packed.traversalSteps).samplesPerDispatch, 4);
 }
 
 }  // namespace
