@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Scenes that Steradian exported: analytic shapes, area lights and keys come back as they were.
 #include <algorithm>
+#include <cmath>
 
+#include "restore_fields.hpp"
+#include "restore_settings.hpp"
 #include "scene_writer.hpp"
 
 namespace gltf {
@@ -57,6 +60,31 @@ void SceneWriter::addOwnChannel(const OwnChannel& channel, std::vector<Track>& t
                     .interpolation = channel.interpolation,
                     .keys = channel.keys.data(),
                     .keyCount = channel.keys.size()});
+}
+
+void SceneWriter::addActiveCamera(const Json& ours, sdk::SceneRecord& scene) {
+  if (!ours.contains("activeCamera")) return;
+  report_.attempt("scene", [&] {
+    const double last = double(objectOf_.size()) - 1.0;
+    const auto node = std::size_t(numberIn(ours["activeCamera"], "activeCamera", 0, last));
+    if (kindOf_[node] == sdk::ObjectKind::camera) scene.activeCamera = objectOf_[node];
+  });
+}
+
+/// glTF's cameras know the shape of the picture; all else is ours.
+void SceneWriter::addSettings(const Json& ours) {
+  sdk::RenderSettingsRecord render;
+  if (aspectRatio_ != 0)
+    render.width = int(std::clamp(std::round(render.height * aspectRatio_), 1.0, 16384.0));
+  report_.attempt("scene, render settings",
+                  [&] { render = restoreRender(ours.value("render", Json::object()), render); });
+  sink_.setRender(render);
+  if (!ours.contains("display")) return;
+  report_.attempt("scene, display settings", [&] {
+    OwnDisplay display;
+    restoreDisplay(ours["display"], display);
+    sink_.setDisplay(display.record);
+  });
 }
 
 }  // namespace gltf

@@ -60,11 +60,11 @@ void SceneWriter::write(const Choices& choices) {
   const auto& scenes = document_.model.scenes;
   if (shownScene() < scenes.size()) scene.name = scenes[shownScene()].name;
   scene.nextId = nextId_;
+  const Json ours =
+      shownScene() < scenes.size() ? oursOf(scenes[shownScene()].extras_json_string) : Json::object();
+  addActiveCamera(ours, scene);
   sink_.setScene(scene);
-  if (aspectRatio_ == 0) return;
-  sdk::RenderSettingsRecord render;
-  render.width = int(std::clamp(std::round(render.height * aspectRatio_), 1.0, 16384.0));
-  sink_.setRender(render);
+  addSettings(ours);
 }
 
 std::size_t SceneWriter::shownScene() const {

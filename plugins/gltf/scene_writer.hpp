@@ -44,6 +44,8 @@ class SceneWriter {
   std::vector<Content> restoredContents(std::size_t node, const std::string& name, sdk::ObjectRecord& object);
   void addOwnChannels(std::vector<Track>& tracks, sdk::SceneRecord& scene);
   void addOwnChannel(const OwnChannel& channel, std::vector<Track>& tracks);
+  void addActiveCamera(const Json& ours, sdk::SceneRecord& scene);
+  void addSettings(const Json& ours);
 
   void place(const tinygltf::Node& node, const std::string& name, sdk::ObjectRecord& out);
   std::vector<Content> contentsOf(std::size_t node, const std::string& name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "settings.hpp"
 #include "surfaces.hpp"
 
 namespace gltf_export {
@@ -176,7 +177,10 @@ void Nodes::link(std::vector<Json>& nodes) {
   Json scene = Json::object();
   if (scene_.scene().name.size) scene["name"] = scene_.scene().name.str();
   if (!roots.empty()) scene["nodes"] = std::move(roots);
-  if (Json extras = extrasOf(scene_.scene().extras, {}); !extras.empty()) scene["extras"] = std::move(extras);
+  Json settings = settingsOf(scene_);
+  if (const auto camera = indexOf_.find(scene_.scene().activeCamera); camera != indexOf_.end())
+    settings["activeCamera"] = camera->second;
+  scene["extras"] = extrasOf(scene_.scene().extras, std::move(settings));
   document_.root()["scene"] = document_.append("scenes", std::move(scene));
 }
 

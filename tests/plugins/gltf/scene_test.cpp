@@ -275,5 +275,41 @@ TEST_F(GltfScene, ImportExportImportKeepsTheScene) {
   EXPECT_EQ(first.animation.channels, again.scene.animation.channels);
 }
 
+TEST_F(GltfScene, SettingsOfPictureAndTimeComeBackToo) {
+  Scene scene;
+  scene.objects = {{.id = Id{1}, .name = "first", .content = Camera{}},
+                   {.id = Id{2}, .name = "second", .content = Camera{}}};
+  scene.nextId = Id{3};
+  scene.activeCamera = scene.objects[1].id;
+  scene.render = {.width = 333, .height = 77, .maxBounces = 17, .lightSamples = 3, .russianRoulette = false};
+  scene.render.energyCompensation = false;
+  scene.render.clamp = 12.5f;
+  scene.render.seed = 4'000'000'000u;
+  scene.display.exposure = -1.25f;
+  scene.display.tonemapper = "org.steradian.tonemap.reinhard";
+  scene.display.physical = true;
+  scene.display.ev100 = 9.5f;
+  scene.animation.framesPerSecond = 30;
+  stockPlugins().exportScene(scene, folder / "settings.gltf");
+  const ImportResult again = stockPlugins().importScene(folder / "settings.gltf");
+  EXPECT_EQ(linesOf(again.report), "");
+  EXPECT_EQ(again.scene.render, scene.render);
+  EXPECT_EQ(again.scene.display, scene.display);
+  EXPECT_EQ(again.scene.animation.framesPerSecond, 30);
+  ASSERT_EQ(again.scene.objects.size(), 2u);
+  EXPECT_EQ(again.scene.activeCamera, again.scene.objects[1].id);
+}
+
+TEST_F(GltfScene, SettingsOutOfRangeAreReportedAndLeftOut) {
+  Animated maker;
+  maker.json["scenes"][0]["extras"]["steradian"] = {
+      {"render", {{"maxBounces", 1e9}}}, {"display", {{"tonemapper", 5}}}, {"activeCamera", "x"}};
+  const ImportResult result = import(maker);
+  EXPECT_EQ(result.scene.render, RenderSettings{});
+  EXPECT_EQ(result.scene.display, DisplaySettings{});
+  for (const char* key : {"maxBounces", "tonemapper", "activeCamera"})
+    EXPECT_CONTAINS(linesOf(result.report), key);
+}
+
 }  // namespace
 }  // namespace steradian::plugins
