@@ -78,7 +78,7 @@ def unrecorded():
     """Row tests that neither record a figure nor call an expect... function that does; and the rows that have tests."""
     text = "\n".join(f.read_text() for f in sorted(HERE.rglob("*_test.cpp")) + sorted(HERE.rglob("*.hpp")))
     records = {"measured", "measuredAtLeast"}
-    helpers = re.findall(r"^( *)(?:static |inline )*void (expect\w+)\([^;{]*\{\n(.*?)^\1\}", text, re.M | re.S)
+    helpers = re.findall(r"^( *)(?:static |inline )*[\w:<>]+ (expect\w+)\([^;{]*\{\n(.*?)^\1\}", text, re.M | re.S)
     for _ in helpers:  # one may call another
         records |= {name for _, name, body in helpers if records & set(re.findall(r"\w+(?=\()", body))}
     suites = set(re.findall(r"class (\w+) : public \w+ \{[^}]*TearDown\(\) override \{ measured\(", text))

@@ -39,11 +39,13 @@ struct Furnace {
   std::vector<double> cosines{0.03, 0.08, 0.15, 0.4, 0.7, 1.0};
 };
 using Run = std::function<Rows(const Task&, const Rows&)>;
-void expectNothingLost(const Furnace& furnace, const Run& run) {
+/// Of each material the share that lies farthest from 1.
+std::vector<double> expectNothingLost(const Furnace& furnace, const Run& run) {
   Rows rows;
   for (std::size_t m = 0; m < furnace.materials.size(); ++m)
     for (const double mu : furnace.cosines) pushSamples(rows, m, mu, 0);
   const Rows answers = run(materialTask(0, furnace.materials, true), rows);
+  std::vector<double> farthest(furnace.materials.size(), 1.0);
   for (std::size_t i = 0; i < furnace.materials.size() * furnace.cosines.size(); ++i) {
     const double mu = furnace.cosines[i % furnace.cosines.size()];
     const Surface& m = furnace.materials[i / furnace.cosines.size()];
@@ -55,6 +57,18 @@ void expectNothingLost(const Furnace& furnace, const Run& run) {
         << "roughness " << m.roughness << ", metallic " << m.metallic << ", coat " << m.clearcoat
         << ", cosine " << mu;
     EXPECT_LE(albedo, 1.005);
+    double& worst = farthest[i / furnace.cosines.size()];
+    if (std::fabs(albedo - 1.0) > std::fabs(worst - 1.0)) worst = albedo;
+  }
+  return farthest;
+}
+
+/// Seven roughnesses down, seven metallicities across, both from 0 to 1.
+void printTable(const std::vector<double>& shares) {
+  std::printf("furnace, share of the cosine that lies farthest from 1; metallic 0 to 1 across\n");
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (i % 7 == 0) std::printf("roughness %.3f", double(i / 7) / 6);
+    std::printf(i % 7 == 6 ? " %.4f\n" : " %.4f", shares[i]);
   }
 }
 
@@ -62,7 +76,8 @@ TEST_F(Materials, row23_white_surfaces_lose_nothing_when_compensated) {
   Furnace furnace;
   for (int r = 0; r < 7; ++r)
     for (int m = 0; m < 7; ++m) furnace.materials.push_back(white(float(r) / 6, float(m) / 6));
-  expectNothingLost(furnace, [](const Task& t, const Rows& q) { return run(materialKernel, t, q); });
+  printTable(
+      expectNothingLost(furnace, [](const Task& t, const Rows& q) { return run(materialKernel, t, q); }));
 }
 
 TEST_F(Materials, row23_nor_do_smooth_ones_between_the_nodes_of_the_table) {
@@ -153,13 +168,15 @@ struct Passing {
 };
 constexpr Passing passings[] = {{0, 0.7, 0.6f}, {0, 0.2, 0.8f}, {insideBit, 0.9, 0.5f}, {thinBit, 0.5, 0.6f}};
 
+const double significance = 1 - std::pow(0.99, 1.0 / std::size(passings));  // Sidak
+
 TEST_F(Materials, row24_light_through_rough_glass_has_its_density) {
-  constexpr int side = 512;
+  constexpr int samples = 1'000'000;
   for (const Passing& p : passings) {
     const glm::vec4 wo(glm::vec3(direction(p.mu, 0.7)), 0);
     Random random(24);
     Rows rows;
-    for (int i = 0; i < side * side; ++i)
+    for (int i = 0; i < samples; ++i)
       rows.insert(rows.end(),
                   {wo, glm::vec4(random.uniform(0, 1 - 1e-7), random.uniform(0, 1 - 1e-7), 0, p.flags)});
     const Rows drawn = run(materialKernel, materialTask(0, {glass(p.roughness)}, false), rows);
@@ -174,9 +191,9 @@ TEST_F(Materials, row24_light_through_rough_glass_has_its_density) {
     Rows kept = drawn;  // a sample on the wrong side of the horizon is lost: it has no density
     for (std::size_t i = 0; i < kept.size(); i += 2)
       if (kept[i].w == 0) kept[i] = glm::vec4(0, 0, -2, 0);
-    expectDensity(chiSquare(kept, 2, density, {-1, 1}), 1e-3, "cosine " + std::to_string(p.mu));
+    expectDensity(chiSquare(kept, 2, density, {-1, 1}), significance, "cosine " + std::to_string(p.mu));
     double worst = 0;
-    for (std::size_t i = 0; i < drawn.size(); i += 62) {
+    for (std::size_t i = 0; i < drawn.size(); i += 240) {
       if (drawn[i].w == 0 || std::fabs(drawn[i].z) < 1e-3f) continue;
       worst = std::max(worst, std::fabs(double(drawn[i].w / density(oracle::Vec(xyz(drawn[i]))) - 1)));
     }
