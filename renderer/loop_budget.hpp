@@ -7,7 +7,7 @@
 namespace steradian {
 
 /// Iterations per invocation that a dispatch may plan with.
-inline constexpr std::uint64_t cpuDriverLoopBudget = 60'000;  // below the driver's 65,535
+inline constexpr std::uint64_t cpuDriverLoopBudget = 59'999;  // well below the driver's 65,535
 inline constexpr std::uint64_t gpuLoopBudget = 40'000'000;
 
 struct LoopPlan {

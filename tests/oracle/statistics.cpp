@@ -127,18 +127,24 @@ Estimate fromImages(const std::vector<Image>& images) {
 Agreement compare(const Estimate& ours, const Estimate& oracle, int tile) {
   Agreement agreement;
   agreement.meanRatio = sumOf(ours) / sumOf(oracle);
-  std::vector<double> chances;
+  std::vector<double> chances, least;
   for (int y = 0; y < oracle.height; y += tile)
-    for (int x = 0; x < oracle.width; x += tile)
+    for (int x = 0; x < oracle.width; x += tile) {
+      least.push_back(1.0);
       for (int channel = 0; channel < 3; ++channel, ++agreement.tests) {
         const Measured a = tileMean(ours, x, y, tile, channel), b = tileMean(oracle, x, y, tile, channel);
         const double p = welch(a, b);
+        least.back() = std::min(least.back(), p);
         if (p <= agreement.smallest) agreement.smallest = p, agreement.worst = describe(x, y, channel, a, b);
         if (channel != 1 || a.varianceOfMean + b.varianceOfMean < 100.0 * roundingVariance(b.mean)) continue;
         chances.push_back(p);
         ++agreement.histogram[std::min(int(10.0 * p), 9)];
       }
+    }
   agreement.limit = sidak(1e-4, agreement.tests);
+  const double strict = sidak(0.01, agreement.tests);
+  const auto passed = std::count_if(least.begin(), least.end(), [&](double p) { return p >= strict; });
+  agreement.passing = double(passed) / double(least.size());
   agreement.random = chances.size();
   if (chances.size() >= 16) agreement.uniformity = kolmogorovSmirnov(chances);
   return agreement;

@@ -34,6 +34,7 @@ struct Agreement {
   std::size_t tests = 0;    // tiles times channels
   double smallest = 1.0;    // p-value
   double limit = 0.0;       // Sidak's for 1e-4 over all
+  double passing = 1.0;     // share of the tiles with no p-value below Sidak's for 0.01 over all
   double uniformity = 1.0;  // p-value that the random tiles' p-values are even; 1 when too few are random
   double meanRatio = 1.0;   // of the picture's sums, first / second
   std::size_t random = 0;   // tiles whose noise is above rounding

@@ -83,6 +83,7 @@ TEST(OracleStatistics, EqualTruthsAgreeAndTheirChancesAreEven) {
     const Agreement agreement = ofNoise(1.0, 1.0, seed);
     EXPECT_TRUE(agreement.holds()) << report(agreement);
     EXPECT_EQ(agreement.random, 256u);
+    EXPECT_GE(agreement.passing, 0.9975) << report(agreement);
     EXPECT_GT(agreement.uniformity, 0.01) << report(agreement);
   }
 }
@@ -92,6 +93,7 @@ TEST(OracleStatistics, ASmallBiasIsFoundByEvennessOrByTiles) {
   EXPECT_FALSE(pixels.holds()) << report(pixels);
   EXPECT_LT(tiles.smallest, 1e-5) << report(tiles);
   EXPECT_NEAR(pixels.meanRatio, 1.06, 0.01);
+  EXPECT_LT(ofNoise(2.0, 1.0, 9).passing, 0.5);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
   const gpu::Device& device = *device_;
   const gpu::Buffer scene = upload(device, task.scene, 1);
   const gpu::Buffer tables = upload(device, task.tables, 1);
+  const gpu::Buffer mesh = upload(device, task.mesh, 1);
   gpu::Buffer texels;
   if (!task.texels.empty()) {
     texels = gpu::Buffer(device, gpu::BufferKind::texelWords, task.texels.size() * 4, "kernel texels");
@@ -54,7 +55,7 @@ Rows KernelTest::run(const Kernel& kernel, const Task& task, const Rows& questio
                         "kernel answers");
   const std::array<const gpu::Buffer*, gpu::storageBindings> storage = {nullptr, nullptr, nullptr, nullptr,
                                                                         nullptr, &in,     &out};
-  const gpu::Bindings bindings(device, {&scene, &tables, nullptr, &texels}, storage);
+  const gpu::Bindings bindings(device, {&scene, &tables, &mesh, &texels}, storage);
   std::vector<std::byte> push = task.push;
   push.resize(gpu::pushConstantBytes);  // what a shader names must be set, used or not
   std::vector<gpu::Specialization> constants{{operationConstant, task.operation}};

@@ -35,6 +35,7 @@ struct Task {
   std::vector<std::byte> push = {};
   Rows scene = {};                                                      // binding 0
   Rows tables = {};                                                     // binding 8
+  Rows mesh = {};                                                       // binding 9
   std::vector<std::uint32_t> texels = {};                               // binding 10
   std::vector<std::pair<std::uint32_t, std::uint32_t>> constants = {};  // of the production GLSL: id, value
 };
