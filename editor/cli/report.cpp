@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // steradian report [PROJECT...]: error against time as JSON, a table and plots.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <fstream>
@@ -30,8 +31,9 @@ constexpr const char* kStockProjects[] = {
 
 struct ReportOptions {
   std::vector<fs::path> projects, pluginPath;
+  std::vector<std::string> devices = {""};  // "": the best there is
   fs::path output = "report";
-  std::string size, device;
+  std::string size;
   report::MeasureOptions measure;
 };
 
@@ -67,16 +69,24 @@ std::string commandLine() {
   return out;
 }
 
-std::string plotName(const report::SceneReport& scene) {
-  fs::path project = scene.project;
+/// "cornell.svg"; where a scene was measured before, on another device, "cornell-2.svg".
+std::string plotName(const report::Report& report, std::size_t index) {
+  fs::path project = report.scenes[index].project;
   if (!project.has_filename()) project = project.parent_path();
-  return project.stem().string() + ".svg";
+  const auto same = std::count_if(report.scenes.begin(), report.scenes.begin() + std::ptrdiff_t(index),
+                                  [&](const auto& s) { return s.project == report.scenes[index].project; });
+  return project.stem().string() + (same > 0 ? "-" + std::to_string(same + 1) : "") + ".svg";
+}
+
+std::vector<std::string> plotNames(const report::Report& report) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < report.scenes.size(); ++i) names.push_back(plotName(report, i));
+  return names;
 }
 
 /// After each scene, so that a report that is interrupted holds what was finished.
 void write(const report::Report& report, const fs::path& folder) {
-  std::vector<std::string> plots;
-  for (const auto& scene : report.scenes) plots.push_back(plotName(scene));
+  const std::vector<std::string> plots = plotNames(report);
   plugins::writeFileAtomically(folder / plots.back(), report::svgOf(report, report.scenes.back()));
   plugins::writeFileAtomically(folder / "report.json", report::jsonOf(report));
   plugins::writeFileAtomically(folder / "report.md", report::markdownOf(report, plots));
@@ -103,19 +113,23 @@ int runReport(const ReportOptions& options) {
   const std::vector<fs::path> projects = projectsOf(options);
   const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
   const fs::path folder = makeFolder(options.output);
-  const auto device = openDevice({.device = options.device});
-  if (describe(*device).type != "CPU") measure.warmUpSeconds = 0.7;
-  Renderer renderer(device);
-  report::Report report{describe(*device), kVersion, commandLine(), {}};
+  report::Report report{kVersion, commandLine(), {}};
   {
-    ReportProgress progress(int(projects.size()));
-    for (std::size_t i = 0; i < projects.size(); ++i) {
-      report.scenes.push_back(measured(host, projects[i], renderer, measure, progress, int(i)));
-      write(report, folder);
+    ReportProgress progress(int(projects.size() * options.devices.size()));
+    for (const std::string& name : options.devices) {
+      const auto device = openDevice({.device = name});
+      measure.warmUpSeconds = describe(*device).type != "CPU" ? 0.7 : 0.0;
+      Renderer renderer(device);
+      for (const fs::path& project : projects) {
+        const int done = int(report.scenes.size());
+        report.scenes.push_back(measured(host, project, renderer, measure, progress, done));
+        report.scenes.back().device = describe(*device);
+        write(report, folder);
+      }
     }
   }
   for (const char* name : {"report.md", "report.json"}) std::puts((folder / name).c_str());
-  for (const auto& scene : report.scenes) std::puts((folder / plotName(scene)).c_str());
+  for (const std::string& plot : plotNames(report)) std::puts((folder / plot).c_str());
   return 0;
 }
 
@@ -141,7 +155,10 @@ void addReport(CLI::App& app, Command& chosen) {
   command->add_option("--runs", m.runs, "Runs with different seeds, of which medians are reported")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--device", options->device, "Vulkan device by index or part of its name");
+  command
+      ->add_option("--device", options->devices,
+                   "Vulkan device by index or part of its name; repeatable: all scenes on each")
+      ->allow_extra_args(false);
   command->add_option("--plugin-path", options->pluginPath, "Further folder with plugins; repeatable")
       ->allow_extra_args(false);
   command->callback([options, &chosen] { chosen = [options] { return runReport(*options); }; });

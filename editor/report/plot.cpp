@@ -34,7 +34,7 @@ std::string svgOf(const Report& report, const SceneReport& scene) {
       .x = {"time of tracing", secondsLabel},
       .y = {"relative RMSE", percentLabel},
       .guide = {"slope \xe2\x88\x92\xc2\xbd", [](double x, double first) { return std::sqrt(first / x); }}};
-  chart.subtitle = report.device.name +
+  chart.subtitle = scene.device.name +
                    cli::text(", %dx%d, 1 to %llu samples, median of %d runs, reference of %llu samples",
                              scene.film.width, scene.film.height, (unsigned long long)(mostSamples(scene)),
                              scene.runs, (unsigned long long)(scene.referenceSamples));

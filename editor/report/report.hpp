@@ -42,6 +42,7 @@ struct Curve {
 
 struct SceneReport {
   std::string name, project;
+  DeviceDescription device;
   Extent film;
   int runs = 0;
   std::uint64_t referenceSamples = 0;
@@ -50,7 +51,6 @@ struct SceneReport {
 };
 
 struct Report {
-  DeviceDescription device;
   std::string version, command;
   std::vector<SceneReport> scenes;
 };
@@ -59,7 +59,8 @@ struct Report {
 Curve curveOf(std::string id, std::string label, const std::vector<std::vector<Sample>>& runs);
 
 std::string jsonOf(const Report& report);
-/// A table for each scene, with its plot; `plotNames` are the files beside it, one for each scene.
+/// A table for each scene on each device, with its plot; `plotNames` are the files beside it, one for each
+/// scene.
 std::string markdownOf(const Report& report, const std::vector<std::string>& plotNames);
 /// Relative RMSE against seconds, both in logarithms: a line for each curve, its name at its end.
 std::string svgOf(const Report& report, const SceneReport& scene);

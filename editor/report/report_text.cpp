@@ -49,6 +49,8 @@ Json jsonOf(const SceneReport& scene) {
   for (const Curve& curve : scene.curves) curves.push_back(jsonOf(curve));
   return {{"name", scene.name},
           {"project", scene.project},
+          {"device", scene.device.name},
+          {"driver", scene.device.driver},
           {"width", scene.film.width},
           {"height", scene.film.height},
           {"runs", scene.runs},
@@ -96,21 +98,18 @@ constexpr const char* kFoot =
 std::string jsonOf(const Report& report) {
   Json scenes = Json::array();
   for (const SceneReport& scene : report.scenes) scenes.push_back(jsonOf(scene));
-  const Json json = {{"version", report.version},
-                     {"command", report.command},
-                     {"device", report.device.name},
-                     {"driver", report.device.driver},
-                     {"scenes", scenes}};
+  const Json json = {{"version", report.version}, {"command", report.command}, {"scenes", scenes}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string markdownOf(const Report& report, const std::vector<std::string>& plotNames) {
-  std::string out = "# Error against time\n\n" + report.device.name + ", " + report.device.driver +
-                    ", Steradian " + report.version + "\n\n    " + report.command + "\n";
+  std::string out =
+      "# Error against time\n\nSteradian " + report.version + "\n\n    " + report.command + "\n";
   for (std::size_t i = 0; i < report.scenes.size(); ++i) {
     const SceneReport& scene = report.scenes[i];
-    out += "\n## " + scene.name + "\n\n![Error against time](" + plotNames[i] + ")\n\n" +
-           cli::text("%dx%d, %d runs, reference %llu samples (error %.2g %%)\n\n", scene.film.width,
+    out += "\n## " + scene.name + "\n\n![Error against time](" + plotNames[i] + ")\n\n" + scene.device.name +
+           ", " + scene.device.driver +
+           cli::text(": %dx%d, %d runs, reference %llu samples (error %.2g %%)\n\n", scene.film.width,
                      scene.film.height, scene.runs, (unsigned long long)(scene.referenceSamples),
                      scene.referenceRelRmse * 100.0) +
            kHead;

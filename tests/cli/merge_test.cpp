@@ -132,3 +132,17 @@ TEST(ReportCommand, measures_a_scene_with_its_features_switched_off) {
   EXPECT_NE(contents(sandbox.path("out/report.md")).find("hello.svg"), std::string::npos);
   EXPECT_NE(contents(sandbox.path("out/hello.svg")).find("</svg>"), std::string::npos);
 }
+
+TEST(ReportCommand, measures_every_scene_on_every_device) {
+  const Sandbox sandbox;
+  const Outcome outcome =
+      sandbox.run({"report", project("hello"), "-o", sandbox.path("out"), "--size", "16x12", "--max-spp", "8",
+                   "--seconds", "1", "--runs", "1", "--device", "0", "--device", "0"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const json scenes = json::parse(contents(sandbox.path("out/report.json")))["scenes"];
+  ASSERT_EQ(scenes.size(), 2u);
+  EXPECT_EQ(scenes[0]["device"], scenes[1]["device"]);
+  EXPECT_FALSE(scenes[0]["device"].get<std::string>().empty());
+  EXPECT_NE(contents(sandbox.path("out/hello-2.svg")).find("</svg>"), std::string::npos);
+  EXPECT_EQ(sandbox.run({"report", project("hello"), "--device", "no such"}).exitCode, 4);
+}

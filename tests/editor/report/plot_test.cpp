@@ -29,11 +29,11 @@ Curve curve(const char* label, double start, double exponent, double msPerSample
 
 Report sampleReport() {
   Report report;
-  report.device.name = "llvmpipe (LLVM 15.0.6, 256 bits)";
-  report.device.driver = "Mesa 22.3.6";
   report.version = "0.1.0";
   report.command = "steradian report projects/cornell --ablate";
-  SceneReport scene{"Cornell <box> & more", "projects/cornell", {256, 192}, 3, 16384, 0.0021, {}};
+  SceneReport scene{"Cornell <box> & more", "projects/cornell", {}, {256, 192}, 3, 16384, 0.0021, {}};
+  scene.device.name = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  scene.device.driver = "Mesa 22.3.6";
   scene.curves = {curve("Steradian", 0.9, -0.66, 9.0),
                   curve("one joint sequence", 0.9, -0.72, 9.0),
                   curve("no Russian roulette", 0.89, -0.66, 11.5),
@@ -90,7 +90,7 @@ TEST(Plot, names_every_curve_once_at_its_end_and_escapes_text) {
 
 TEST(Plot, of_nothing_or_of_no_error_is_still_a_picture) {
   Report report;
-  SceneReport scene{"empty", "", {1, 1}, 1, 1, 0.0, {}};
+  SceneReport scene{"empty", "", {}, {1, 1}, 1, 1, 0.0, {}};
   EXPECT_NE(svgOf(report, scene).find("</svg>"), std::string::npos);
   scene.curves = {curveOf("a", "a", {{{1, 0.1, 0.0, 0.0, 0.0, 0.0}}})};
   const std::string svg = svgOf(report, scene);
