@@ -93,6 +93,12 @@ std::uint64_t Renderer::sceneFingerprint() const {
   std::uint64_t hash = hashOf(s.rows.data(), s.rows.size() * sizeof(glm::vec4), 0xcbf29ce484222325ull);
   hash = hashOf(&s.params, sizeof s.params, hash);
   hash = hashOf(&s.features, sizeof s.features, hash);
+  const auto add = [&hash](const auto& values) {
+    hash = hashOf(values.data(), values.size() * sizeof(values[0]), hash);
+  };
+  for (const auto& mesh : s.meshes) add(mesh->nodes), add(mesh->triangles);
+  for (const auto& vertices : s.vertices) add(vertices->rows);
+  for (const auto& texture : s.textures) add(texture->words);
   if (s.environment)
     hash = hashOf(s.environment->pixels.data(), s.environment->pixels.size() * sizeof(float), hash);
   return hash;

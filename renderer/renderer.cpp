@@ -25,7 +25,8 @@ std::uint64_t loopBudgetOf(const Device& device) {
 
 std::uint32_t ablationFlags(const Ablation& a) {
   return (a.lightSampling ? 0u : TRACE_NO_LIGHT_SAMPLING) | (a.lightHits ? 0u : TRACE_NO_BSDF_HITS) |
-         (a.owenSobol ? 0u : TRACE_INDEPENDENT_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS);
+         (a.owenSobol ? 0u : TRACE_INDEPENDENT_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS) |
+         (a.visibleNormals ? 0u : TRACE_ALL_NORMALS);
 }
 
 Buffer makeTables(const Device& device, SceneCache& cache, const std::shared_ptr<const Image>& environment) {

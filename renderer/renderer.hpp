@@ -103,10 +103,11 @@ struct RenderStats {
 /// Methods that a measurement may switch off to find out what they are worth. The expected picture stays the
 /// same; only its noise changes.
 struct Ablation {
-  bool lightSampling = true;  // area lights and sky are sampled; off = met by paths alone
-  bool lightHits = true;      // they count when paths meet them; off = sampled alone
-  bool owenSobol = true;      // off = independent random numbers
-  bool lightTree = true;      // off = uniform choice among many lights
+  bool lightSampling = true;   // area lights and sky are sampled; off = met by paths alone
+  bool lightHits = true;       // they count when paths meet them; off = sampled alone
+  bool owenSobol = true;       // off = independent random numbers
+  bool lightTree = true;       // off = uniform choice among many lights
+  bool visibleNormals = true;  // off = facets are drawn whether they are seen or not
   bool operator==(const Ablation&) const = default;
 };
 

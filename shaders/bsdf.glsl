@@ -57,6 +57,7 @@ struct LobeKinds {
   bool transmission;
   bool coat;
   bool edgeTint;
+  bool allNormals;  // a measurement: facets are drawn by their distribution alone
 };
 
 // f(wo, wi) * |cos wi| and the solid-angle pdf of sampling wi, without the lobes of zero width.
@@ -95,12 +96,16 @@ float diffuseChance(Lobes lobes, LobeKinds kinds) {
   return max(rest, 0.0);
 }
 
-BsdfValue transmittedValue(Lobes lobes, vec3 wo, vec3 wi) {
+BsdfValue transmittedValue(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
   vec3 h = lobes.thin ? vec3(wo.x + wi.x, wo.y + wi.y, wo.z - wi.z) : wo + wi * lobes.eta;
   float length2 = max(dot(h, h), 1e-30);
   FacetValue solid = refractingFacets(h, length2, wo, wi, lobes.eta, lobes.alpha);
   FacetValue sheet = reflectingFacets(h, length2, wo.z, -wi.z, lobes.alpha);
   float fCos = lobes.thin ? sheet.fCos : solid.fCos;
+  if (kinds.allNormals) {
+    sheet.pdf = reflectingDensityOfAll(h, length2, lobes.alpha);
+    solid.pdf = refractingDensityOfAll(h, length2, wi, lobes.eta, lobes.alpha);
+  }
   float pdf = lobes.thin ? sheet.pdf : solid.pdf;
   float cosH = min(abs(dot(wo, h)) * inversesqrt(length2), 1.0);
   bool beam = passesUnscattered(lobes);
@@ -126,18 +131,20 @@ BsdfValue evalBsdf(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
   }
   if (kinds.glossy) {
     FacetValue facets = reflectingFacets(h, length2, wo.z, wi.z, lobes.alpha);
+    if (kinds.allNormals) facets.pdf = reflectingDensityOfAll(h, length2, lobes.alpha);
     fCos += facetReflectance(lobes, cosH, grazing, glass, kinds) * facets.fCos;
     pdf += lobes.chance * facets.pdf;
   }
   if (kinds.coat) {
     FacetValue facets = reflectingFacets(h, length2, wo.z, wi.z, lobes.coatAlpha);
+    if (kinds.allNormals) facets.pdf = reflectingDensityOfAll(h, length2, lobes.coatAlpha);
     fCos += vec3(coatReflectance(lobes.coat, grazing) * facets.fCos);
     pdf += lobes.coatChance * facets.pdf;
   }
   bool above = wo.z > 0.0 && wi.z > 0.0;
   BsdfValue value = BsdfValue(above ? fCos : vec3(0.0), above ? pdf : 0.0);
   if (kinds.transmission && kinds.glossy) {
-    BsdfValue passed = transmittedValue(lobes, wo, wi);
+    BsdfValue passed = transmittedValue(lobes, wo, wi, kinds);
     bool below = wo.z > 0.0 && wi.z < 0.0;
     value.fCos = below ? passed.fCos : value.fCos;
     value.pdf = below ? passed.pdf : value.pdf;

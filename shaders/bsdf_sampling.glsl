@@ -88,9 +88,12 @@ LobeChoice chooseLobe(Lobes lobes, float u, LobeKinds kinds) {
 vec3 sampleFacets(Lobes lobes, LobeChoice choice, vec3 wo, CosSin azimuth, LobeKinds kinds) {
   float alpha = kinds.coat && choice.coat ? lobes.coatAlpha : lobes.alpha;
   vec3 h = visibleNormal(wo, alpha, ggxA(wo.z, alpha), azimuth.c, azimuth.s, choice.u);
+  if (kinds.allNormals) h = anyNormal(alpha, azimuth.c, azimuth.s, choice.u);
   vec3 wi = h * (2.0 * dot(wo, h) / dot(h, h)) - wo;
   if (kinds.transmission) {
     vec3 passed = lobes.thin ? vec3(wi.x, wi.y, -wi.z) : refracted(wo, h, lobes.eta);
+    // Through a facet that is not seen nothing passes: to the wrong side, where it counts as lost.
+    if (kinds.allNormals && dot(wo, h) <= 0.0) passed = vec3(0.0, 0.0, 1.0);
     wi = choice.passed ? passed : wi;
   }
   return wi;

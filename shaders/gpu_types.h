@@ -193,6 +193,7 @@ GPU_CONST uint TRACE_NO_LIGHT_SAMPLING = 32u;     // area lights and environment
 GPU_CONST uint TRACE_NO_BSDF_HITS = 64u;          // they are sampled alone
 GPU_CONST uint TRACE_INDEPENDENT_SAMPLES = 128u;  // hashed numbers instead of Owen-scrambled Sobol points
 GPU_CONST uint TRACE_UNIFORM_LIGHTS = 256u;       // many lights: uniform choice instead of the tree
+GPU_CONST uint TRACE_ALL_NORMALS = 2048u;  // facets drawn by their distribution, whether visible or not
 
 // Push constants of path_trace.comp and pick.comp.
 struct TraceParams {

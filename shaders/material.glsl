@@ -35,7 +35,10 @@ SurfaceMaterial fetchMaterial(uint primitive) {
   return m;
 }
 
-LobeKinds lobeKinds() { return LobeKinds(kDiffuse, kGlossy, kMirror, kTransmission, kClearcoat, kEdgeTint); }
+LobeKinds lobeKinds() {
+  bool allNormals = kAblation && (params.flags & TRACE_ALL_NORMALS) != 0u;
+  return LobeKinds(kDiffuse, kGlossy, kMirror, kTransmission, kClearcoat, kEdgeTint, allNormals);
+}
 
 // Directional albedo of single-scatter facets: F0 * f0 + F90 * f90. The table's axes are fourth roots of alpha and of
 // the cosine: smooth facets change within a cosine of alpha.

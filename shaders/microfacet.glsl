@@ -71,6 +71,18 @@ FacetValue reflectingFacets(vec3 h, float length2, float cosO, float cosI, float
   return FacetValue(d * cosI * (spread * inverse), d / (cosO + aO));
 }
 
+// The density if facets are drawn whether wo sees them or not: D cos / (4 wo.h) (Walter et al. 2007, eq. 14 and 24).
+float reflectingDensityOfAll(vec3 h, float length2, float alpha) {
+  float d = ggxD(h, length2, max(alpha, MIRROR_ALPHA));
+  return alpha >= MIRROR_ALPHA ? d * max(h.z, 0.0) / (2.0 * length2) : 0.0;
+}
+
+// The same for refraction (eq. 17 and 24), h = wo + eta wi.
+float refractingDensityOfAll(vec3 h, float length2, vec3 wi, float eta, float alpha) {
+  float cosIH = abs(dot(wi, h));
+  return alpha >= MIRROR_ALPHA ? ggxD(h, length2, alpha) * abs(h.z) * cosIH * eta * eta / (length2 * length2) : 0.0;
+}
+
 // Facets that refract wo to wi, with cosI < 0 and h = wo + eta wi (Walter et al. 2007, eq. 16, 17 and 21), G separable
 // as there. Radiance that comes from a medium of index eta has been compressed by eta^2.
 FacetValue refractingFacets(vec3 h, float length2, vec3 wo, vec3 wi, float eta, float alpha) {

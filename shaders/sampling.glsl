@@ -39,6 +39,12 @@ vec3 visibleNormal(vec3 wo, float alpha, float stretchedLength, float c, float s
   return vec3((r * c + v.x) * alpha, (r * s + v.y) * alpha, max(z + v.z, 1e-6));
 }
 
+// GGX normal by D cos alone, not normalized (Walter et al. 2007, eq. 35).
+vec3 anyNormal(float alpha, float c, float s, float u) {
+  float r = alpha * sqrt(u);
+  return vec3(r * c, r * s, max(sqrt(1.0 - u), 1e-6));
+}
+
 // Power heuristic (Veach & Guibas 1995) by ratio, so that large densities do not overflow and 0 or infinity (a
 // delta) give the limit instead of NaN.
 float powerHeuristic(float pdf, float otherPdf) {

@@ -83,6 +83,14 @@ TEST_F(Strategies, row32_samples_alone_paths_alone_and_both_agree_in_every_pixel
   EXPECT_LT(oracle::compare(scaled(lightAlone, 1.01f), both).uniformity, 1e-4) << "the test must bite";
 }
 
+TEST_F(Strategies, visible_and_all_normals_agree_in_every_pixel) {
+  Ablation allNormals;
+  allNormals.visibleNormals = false;
+  const oracle::Estimate visible = oracle::fromImages(pictures({})),
+                         all = oracle::fromImages(pictures(allNormals));
+  expectAgreement(all, visible, "all normals / visible normals");
+}
+
 TEST_F(Strategies, row32_roulette_on_and_off_agree_in_every_pixel) {
   const std::vector<Image> on = pictures({}, true);
   expectAgreement(oracle::fromImages(on), oracle::fromImages(pictures({})), "roulette / none");

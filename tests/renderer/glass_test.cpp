@@ -41,6 +41,26 @@ TEST_F(GlassTest, row35_a_rough_glass_ball_loses_little) {
   measuredAtLeast("mean radiance", rough.value, 0.95);
 }
 
+TEST_F(GlassTest, visible_and_all_normals_give_the_same_glass_sheets_and_coats) {
+  Material sheet = glass(0.4f), coated = glass(0.5f);
+  sheet.thinWalled = true;
+  coated.clearcoat = 1.0f;
+  coated.clearcoatRoughness = 0.3f;
+  Ablation allNormals;
+  allNormals.visibleNormals = false;
+  renderer().allowSpecialization(true);  // the generic pipeline obeys no ablation
+  for (const Material& material : {glass(0.4f), sheet, coated}) {
+    const Mean visible = ball(material, 256);
+    renderer().setAblation(allNormals);
+    const Mean all = ball(material, 256);
+    renderer().setAblation({});
+    EXPECT_NE(all.value, visible.value) << "the method was not switched";
+    EXPECT_NEAR(all.value, visible.value, 3.0 * std::hypot(all.sigma, visible.sigma));
+    EXPECT_LT(all.sigma, 0.01);
+  }
+  renderer().allowSpecialization(false);
+}
+
 TEST_F(GlassTest, row35_a_slab_passes_what_both_faces_leave) {
   // A box and a sheet, seen head-on against a wall of radiance 1 in the dark: 1 / (1 + ...) = 12/13.
   for (const bool solid : {true, false}) {

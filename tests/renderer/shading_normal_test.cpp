@@ -120,5 +120,18 @@ TEST_F(ShadingNormals, rough_and_smooth_glass_balls_keep_as_much_of_a_furnace_as
   }
 }
 
+TEST_F(ShadingNormals, are_part_of_what_parts_of_a_picture_are_told_apart_by) {
+  const auto fingerprint = [&](float tilt) {
+    Mesh ball = smoothBall(2);
+    ball.normals[0] = glm::normalize(ball.normals[0] + glm::vec3(tilt, 0.0f, 0.0f));
+    Scene scene = plainScene(1);
+    add(scene, at({0, 0, 0}), shape(std::move(ball)), lambert(glm::vec3(0.8f)));
+    renderer().setScene(scene, lookAt({0, 0, 9}, {0, 0, 0}, 0.5), {8, 8});
+    return renderer().sceneFingerprint();
+  };
+  EXPECT_EQ(fingerprint(0.0f), fingerprint(0.0f));
+  EXPECT_NE(fingerprint(0.0f), fingerprint(0.1f));
+}
+
 }  // namespace
 }  // namespace steradian

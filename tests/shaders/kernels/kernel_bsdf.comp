@@ -6,7 +6,7 @@
 #include "bsdf_sampling.glsl"
 #include "random.glsl"
 
-const LobeKinds kFacets = LobeKinds(false, true, false, false, false, false);
+const LobeKinds kFacets = LobeKinds(false, true, false, false, false, false, false);
 Lobes whiteFacets(float alpha) {
   Lobes lobes = noLobes();
   lobes.f0 = vec3(1.0);
@@ -49,7 +49,7 @@ Question fetchQuestion(uint at) {
   lobes.exactLoss = rows[8].y;
   uint bits = uint(rows[4].w);
   LobeKinds kinds = LobeKinds((bits & 1u) != 0u, (bits & 2u) != 0u, (bits & 4u) != 0u, (bits & 8u) != 0u,
-                              (bits & 16u) != 0u, (bits & 32u) != 0u);
+                              (bits & 16u) != 0u, (bits & 32u) != 0u, false);
   return Question(lobes, rows[0].xyz, rows[1].xyz, kinds);
 }
 
