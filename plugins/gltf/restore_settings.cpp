@@ -39,7 +39,8 @@ void restoreDisplay(const Json& display, OwnDisplay& out) {
   readField(display, "ev100", out.record.ev100, -kLargest, kLargest);
   if (display.contains("tonemapper"))
     out.record.tonemapper = out.texts.emplace_back(textIn(display["tonemapper"], "tonemapper"));
-  for (const auto& [id, value] : display.value("parameters", Json::object()).items())
+  const Json parameters = display.value("parameters", Json::object());
+  for (const auto& [id, value] : parameters.items())
     out.parameters.push_back(
         {out.texts.emplace_back(id), numberIn(value, "parameters", -kLargest, kLargest)});
   out.record.parameters = out.parameters.data();
