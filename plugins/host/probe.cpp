@@ -23,7 +23,6 @@ namespace steradian::plugins {
 
 namespace {
 
-constexpr int kDeadlineMs = 10'000;
 constexpr std::size_t kLongestAnswer = 1 << 20;
 
 nlohmann::json answerFor(const std::filesystem::path& file) try {
@@ -33,17 +32,19 @@ nlohmann::json answerFor(const std::filesystem::path& file) try {
 }
 
 /// What the plugin prints while it is probed is not the user's business; a crash leaves no core file.
-void isolateChild() {
+void isolateChild(std::chrono::seconds ownTime) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const rlimit none{0, 0};
+  const rlimit none{0, 0}, busy{rlim_t(ownTime.count()), rlim_t(ownTime.count()) + 1};
   setrlimit(RLIMIT_CORE, &none);
-  for (int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT}) ::signal(signal, SIG_DFL);
+  setrlimit(RLIMIT_CPU, &busy);  // the kernel ends a loop: SIGXCPU, a second later SIGKILL
+  for (int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT, SIGXCPU})
+    ::signal(signal, SIG_DFL);
   const int sink = open("/dev/null", O_RDWR);
   for (int fd = 0; fd <= 2 && sink >= 0; ++fd) dup2(sink, fd);
 }
 
-[[noreturn]] void runChild(const std::filesystem::path& file, int pipe) {
-  isolateChild();
+[[noreturn]] void runChild(const std::filesystem::path& file, const ProbeLimits& limits, int pipe) {
+  isolateChild(limits.ownTime);
   const std::string answer = answerFor(file).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   for (std::size_t sent = 0; sent < answer.size();) {
     const ssize_t n = write(pipe, answer.data() + sent, answer.size() - sent);
@@ -54,9 +55,9 @@ void isolateChild() {
 }
 
 /// All that arrives before end of file; false when the deadline passes first.
-bool readAll(int fd, std::string& out) {
+bool readAll(int fd, std::chrono::milliseconds patience, std::string& out) {
   using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::milliseconds(kDeadlineMs);
+  const auto deadline = Clock::now() + patience;
   char buffer[4096];
   while (out.size() < kLongestAnswer) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
@@ -72,28 +73,31 @@ bool readAll(int fd, std::string& out) {
   return false;
 }
 
-std::string reasonFrom(int status) {
+std::string reasonFrom(int status, const ProbeLimits& limits) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    return "did not finish loading within " + std::to_string(limits.ownTime.count()) + " s of processor time";
   if (WIFSIGNALED(status)) return std::string("crashed while it was probed: ") + strsignal(WTERMSIG(status));
   return "ended the process while it was probed (exit code " + std::to_string(WEXITSTATUS(status)) + ")";
 }
 
 }  // namespace
 
-Probe::Probe(const std::filesystem::path& file) {
+Probe::Probe(const std::filesystem::path& file, ProbeLimits limits) : limits_(limits) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
     startFault_ = std::string("cannot be probed: ") + std::strerror(errno);
     return;
   }
   child_ = fork();
-  if (child_ == 0) runChild(file, ends[1]);
+  if (child_ == 0) runChild(file, limits, ends[1]);
   if (child_ < 0) startFault_ = std::string("cannot be probed: ") + std::strerror(errno);
   close(ends[1]);
   pipe_ = ends[0];
 }
 
 Probe::Probe(Probe&& other) noexcept
-    : child_(std::exchange(other.child_, -1)),
+    : limits_(other.limits_),
+      child_(std::exchange(other.child_, -1)),
       pipe_(std::exchange(other.pipe_, -1)),
       startFault_(std::move(other.startFault_)) {}
 
@@ -107,15 +111,16 @@ Probe::~Probe() {
 ProbeResult Probe::collect() {
   if (!startFault_.empty()) return {startFault_, {}};
   std::string answer;
-  const bool finished = readAll(pipe_, answer);
+  const bool finished = readAll(pipe_, limits_.patience, answer);
   if (!finished) kill(child_, SIGKILL);
   int status = 0;
   while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
   child_ = -1;
-  if (!finished) return {"did not finish loading within 10 s", {}};
+  if (!finished)
+    return {"did not finish loading within " + std::to_string(limits_.patience.count() / 1000) + " s", {}};
   const auto json = nlohmann::json::parse(answer, nullptr, false);
-  if (!json.is_object() || !WIFEXITED(status)) return {reasonFrom(status), {}};
+  if (!json.is_object() || !WIFEXITED(status)) return {reasonFrom(status, limits_), {}};
   if (json.contains("reason")) return {json["reason"].get<std::string>(), {}};
   return {{}, contributionsFromJson(json.at("contributions"))};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A wrong, broken or foreign plugin is listed with its reason; the others load; none brings us down.
+#include "plugins/host/probe.hpp"
 #include "tests/plugins/fixture.hpp"
 
 namespace steradian::plugins {
@@ -80,6 +81,16 @@ TEST_F(BrokenPlugins, AnEntryThatContradictsItsNote) {
 TEST_F(BrokenPlugins, AStaticInitialiserThatAbortsOrExits) {
   EXPECT_CONTAINS(reasonFor(add("crashes_at_start")), "crashed while it was probed: Aborted");
   EXPECT_CONTAINS(reasonFor(add("exits_at_start")), "ended the process while it was probed");
+}
+
+TEST_F(BrokenPlugins, fault26_a_static_initialiser_that_loops_or_sleeps_meets_its_own_limit) {
+  const auto reason = [&](const char* name, ProbeLimits limits) {
+    return Probe(fs::path(SAMPLE_PLUGINS) / (std::string(name) + ".so"), limits).collect().reason;
+  };
+  using namespace std::chrono_literals;
+  EXPECT_CONTAINS(reason("loops_at_start", {1s, 60s}), "within 1 s of processor time");
+  EXPECT_EQ(reason("sleeps_at_start", {1s, 2s}), "did not finish loading within 2 s");
+  EXPECT_EQ(reason("good", {}), "");
 }
 
 TEST_F(BrokenPlugins, ABadTonemapperText) {

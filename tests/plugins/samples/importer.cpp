@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 // A tiny importer of ".sample" files, with faults chosen at build time.
+#include <unistd.h>
+
 #include <cstdlib>
 #include <limits>
 #include <steradian/plugin.hpp>
 
 namespace {
 
+[[maybe_unused]] int loop() {
+  for (volatile bool endless = true; endless;) {
+  }
+  return 0;
+}
 #ifdef START
-const int started = (std::START, 1);
+const int started = (START, 1);
 #endif
 #ifdef UNDEFINED_SYMBOL
 extern "C" int steradian_test_symbol_that_nobody_defines();
