@@ -31,7 +31,7 @@ double SlopeTracker::slope() const {
 
 double samplesNeeded(std::uint64_t samples, const ErrorEstimate& error, double target) {
   const double slowest = error.doublings >= 3 ? 0.25 : 0.5;
-  const double exponent = error.slope < 0.0 ? std::clamp(-error.slope, slowest, 1.0) : 0.5;
+  const double exponent = std::clamp(-error.slope, slowest, 1.0);
   return double(samples) * std::pow(error.relRmse / target, 1.0 / exponent);
 }
 
@@ -41,13 +41,35 @@ bool heavyTails(const ErrorEstimate& error) {
 
 std::string tailWarning(const ErrorEstimate& error) {
   if (!error.tails.heavy) return {};
-  char line[200];
-  std::snprintf(
-      line, sizeof line,
-      "fireflies: %llu pixels carry %.0f %% of the squared error, and it falls as samples^%.2f only; "
-      "the true error is likely larger than the estimate",
-      (unsigned long long)(error.tails.pixels), error.tails.share * 100.0, error.slope);
+  char line[200], falls[48] = "does not fall";
+  if (error.slope < -0.05) std::snprintf(falls, sizeof falls, "falls as samples^%.2f only", error.slope);
+  std::snprintf(line, sizeof line,
+                "fireflies: %llu pixels carry %.0f %% of the squared error, and it %s; the true error is "
+                "likely larger than the estimate",
+                (unsigned long long)(error.tails.pixels), error.tails.share * 100.0, falls);
   return line;
+}
+
+std::string clampWarning(const RenderStats& stats) {
+  const double removed = 100.0 * stats.clampedShare.value_or(0.0);
+  if (!(removed > 0.0)) return {};
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "the clamp removed %.*f %% of the light; switch it off in the render settings to keep it",
+                removed < 0.1 ? 3 : 1, removed);
+  return line;
+}
+
+std::vector<std::string> doubtsAbout(const RenderStats& stats) {
+  std::vector<std::string> lines;
+  if (stats.nanSamples > 0)
+    lines.push_back(std::to_string(stats.nanSamples) + " samples were not a number and were left out");
+  if (stats.faults > 0)
+    lines.push_back(std::to_string(stats.faults) +
+                    " samples ran out of their loop budget; the picture may be wrong");
+  for (const std::string& line : {tailWarning(stats.error), clampWarning(stats)})
+    if (!line.empty()) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace steradian

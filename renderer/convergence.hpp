@@ -40,5 +40,9 @@ double samplesNeeded(std::uint64_t samples, const ErrorEstimate& error, double t
 bool heavyTails(const ErrorEstimate& error);
 /// One line for people when the tails are heavy, else empty.
 std::string tailWarning(const ErrorEstimate& error);
+/// One line for people when clamping has taken light from the picture, else empty.
+std::string clampWarning(const RenderStats& stats);
+/// Everything that a person should know before trusting a finished picture, a line each.
+std::vector<std::string> doubtsAbout(const RenderStats& stats);
 
 }  // namespace steradian

@@ -11,13 +11,14 @@ struct MeterReading {
   double meanSquare = 0.0;          // of the joint mean's error, over pixels and channels
   double meanRelativeSquare = 0.0;  // divided by mean^2 + 0.01
   std::uint64_t nan = 0, faults = 0, raysClosest = 0, raysShadow = 0;
-  double clampedRadiance = 0.0;  // nit cut off by clamping, mean over pixels and samples
+  double clampedShare = 0.0;  // of the light, by luminance: cut off by clamping / (cut off + kept)
 };
 
 class ErrorMeter {
  public:
   explicit ErrorMeter(const gpu::Device& device);
-  MeterReading read(const Film& film, bool errorMeter);
+  /// `clampRadiance` as the film was traced with, nit; 0 = off.
+  MeterReading read(const Film& film, bool errorMeter, double clampRadiance);
 
  private:
   const gpu::Device& device_;

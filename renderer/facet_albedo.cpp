@@ -38,13 +38,15 @@ class View {
 
   struct Facet {
     double cosH, cosI;  // to wo; of the direction reflected
+    double upright;     // cosine to the normal
   };
   Facet facet(double z, double cosPhi) const {
     const double vx = alpha_ * sinO_ / lengthO_, r = std::sqrt(std::max(0.0, 1.0 - z * z));
     const double x = alpha_ * (r * cosPhi + vx), hz = z - lowest();
     const double y2 = alpha_ * alpha_ * r * r * (1.0 - cosPhi * cosPhi);
     const double length2 = x * x + y2 + hz * hz, cosine = x * sinO_ + hz * cosO_;
-    return {cosine / std::sqrt(length2), 2.0 * cosine * hz / length2 - cosO_};
+    const double length = std::sqrt(length2);
+    return {cosine / length, 2.0 * cosine * hz / length2 - cosO_, hz / length};
   }
   // Where light reflected at this azimuth dips below the horizon: there the integrand has a kink.
   double horizon(double cosPhi) const {
@@ -55,6 +57,13 @@ class View {
     }
     return above;
   }
+  // Of the direction that the facet refracts to, below the surface if negative; cosT = its cosine to the
+  // facet.
+  double refracted(const Facet& f, double cosT, double eta) const {
+    return f.upright * (f.cosH / eta - cosT) - cosO_ / eta;
+  }
+  // G1 of one direction
+  double masking(double cosI) const { return 2.0 * cosI / (cosI + stretched(cosI, alpha_)); }
   // G2 / G1(wo)
   double weight(double cosI) const {
     const double lengthI = stretched(cosI, alpha_);
@@ -79,8 +88,27 @@ Quadrature gaussLegendre(int points) {
   return made;
 }
 
+namespace {
+
+View viewOf(double alpha, double mu) {
+  return View(std::max(alpha, 1e-4), std::clamp(mu, 1e-6, 1.0));
+}
+
+// One facet's part of what the glass gives back.
+GlassAlbedo throughFacet(const View& view, const View::Facet& facet, double eta) {
+  const double cosH = std::clamp(facet.cosH, 0.0, 1.0), cosT2 = 1.0 - (1.0 - cosH * cosH) / (eta * eta);
+  const double cosT = std::sqrt(std::max(cosT2, 0.0));
+  const double s = (cosH - eta * cosT) / (cosH + eta * cosT), p = (eta * cosH - cosT) / (eta * cosH + cosT);
+  const double reflectance = cosT2 > 0.0 ? 0.5 * (s * s + p * p) : 1.0;
+  const double below = -view.refracted(facet, cosT, eta);
+  return {facet.cosI > 0.0 ? reflectance * view.weight(facet.cosI) : 0.0,
+          below > 0.0 ? (1.0 - reflectance) * view.masking(below) : 0.0};
+}
+
+}  // namespace
+
 FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule) {
-  const View view(std::max(alpha, 1e-4), std::clamp(mu, 1e-6, 1.0));
+  const View view = viewOf(alpha, mu);
   const std::size_t turns = rule.x.size();
   FacetAlbedo sum{0.0, 0.0};
   for (std::size_t k = 0; k < turns; ++k) {  // half a turn: the other is its mirror image
@@ -95,6 +123,27 @@ FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule) {
       const double weight = 6.0 * t * (1.0 - t) * rule.w[i] * share * view.weight(std::max(facet.cosI, 0.0));
       sum.f0 += weight * (1.0 - grazing);
       sum.f90 += weight * grazing;
+    }
+  }
+  return sum;
+}
+
+GlassAlbedo glassAlbedo(double alpha, double mu, double eta, const Quadrature& rule) {
+  const View view = viewOf(alpha, mu);
+  const std::size_t turns = rule.x.size();
+  GlassAlbedo sum;
+  for (std::size_t k = 0; k < turns; ++k) {
+    const double cosPhi = std::cos(std::numbers::pi * (double(k) + 0.5) / double(turns));
+    // Apart on both sides of the kink where reflected light dips below the horizon; smoothstep as above.
+    const double ends[] = {view.lowest(), view.horizon(cosPhi), 1.0};
+    for (std::size_t i = 0; i < 2 * rule.x.size(); ++i) {
+      const double low = ends[i % 2], high = ends[i % 2 + 1], t = rule.x[i / 2];
+      const double z = low + t * t * (3.0 - 2.0 * t) * (high - low);
+      const double share = (high - low) / (1.0 - view.lowest()) / double(turns);
+      const GlassAlbedo part = throughFacet(view, view.facet(z, cosPhi), eta);
+      const double weight = 6.0 * t * (1.0 - t) * rule.w[i / 2] * share;
+      sum.reflected += weight * part.reflected;
+      sum.transmitted += weight * part.transmitted;
     }
   }
   return sum;

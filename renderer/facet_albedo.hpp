@@ -23,4 +23,15 @@ struct FacetAlbedo {
 /// both angles. With 16 points the error is 5e-4 (2e-3 for mu < 0.1), with 48 1e-4. Any thread.
 FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule);
 
+/// What rough glass gives back of white light that meets it once: facets as above that reflect and, with
+/// separable masking, refract by Fresnel (Walter et al., EGSR 2007). Their sum is less than 1 by what is
+/// masked.
+struct GlassAlbedo {
+  double reflected = 0.0, transmitted = 0.0;
+  double white() const { return reflected + transmitted; }
+};
+
+/// eta = n(other side) / n(this side) > 0. Any thread.
+GlassAlbedo glassAlbedo(double alpha, double mu, double eta, const Quadrature& rule);
+
 }  // namespace steradian

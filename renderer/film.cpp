@@ -8,7 +8,8 @@ using namespace gpu;
 Film::Film(const Device& device, Extent extent) : device_(device), extent_(extent) {
   const std::size_t bytes = pixels() * 16;
   for (Buffer& b : buffers_) b = Buffer(device, BufferKind::deviceLocal, bytes, "film");
-  partials_ = Buffer(device, BufferKind::deviceLocal, std::size_t(meterGroups()) * 16, "error meter");
+  partials_ =
+      Buffer(device, BufferKind::deviceLocal, std::size_t(meterGroups()) * METER_ROWS * 16, "error meter");
   picked_ = Buffer(device, BufferKind::deviceLocal, PICK_ROWS * 16, "pick");
   counters_ = Buffer(device, BufferKind::deviceLocal, COUNTERS * 4, "counters");
 }

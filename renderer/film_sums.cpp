@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "renderer/convergence.hpp"
@@ -15,12 +16,60 @@ namespace steradian {
 
 namespace {
 
-Image rgbOf(const gpu::Device& device, const gpu::Buffer& rows, Extent extent) {
-  const std::size_t pixels = std::size_t(extent.width) * extent.height;
-  const auto rgba = gpu::downloadAs<float>(device, rows, 0, pixels * 4);
-  Image image{extent.width, extent.height, 3, std::vector<float>(pixels * 3)};
+struct RowRange {
+  int begin = 0, end = 0;
+};
+
+Image rgbOf(const gpu::Device& device, const gpu::Buffer& sums, int width, RowRange rows) {
+  const int height = rows.end - rows.begin;
+  const std::size_t before = std::size_t(width) * rows.begin, pixels = std::size_t(width) * height;
+  const auto rgba = gpu::downloadAs<float>(device, sums, before * 4 * sizeof(float), pixels * 4);
+  Image image{width, height, 3, std::vector<float>(pixels * 3)};
   for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&rgba[i * 4], 3, &image.pixels[i * 3]);
   return image;
+}
+
+FilmSums sumsOf(const gpu::Device& device, const Film& film, bool metered, RowRange rows) {
+  FilmSums out;
+  for (const int half : {0, 1}) {
+    out.sum[half] = rgbOf(device, film.buffers()[2 * half], film.extent().width, rows);
+    out.carry[half] = rgbOf(device, film.buffers()[2 * half + 1], film.extent().width, rows);
+  }
+  out.begin = film.progress.begin;
+  out.end = film.progress.done;
+  out.endAhead = film.progress.passEnd;
+  out.rowsAhead = std::clamp(film.progress.rowsDone - rows.begin, 0, rows.end - rows.begin);
+  out.errorMeter = metered;
+  return out;
+}
+
+/// The squared error of each pixel.
+void appendSquares(const FilmSums& sums, std::vector<double>& squares) {
+  const Image& shape = sums.sum[0];
+  for (int y = 0; y < shape.height; ++y) {
+    const double nA = double(sums.count(0, y)), nB = double(sums.count(1, y));
+    const double share = nA * nB / ((nA + nB) * (nA + nB));
+    for (int x = 0; x < shape.width; ++x) {
+      double square = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        const auto mean = [&](int half, double n) {
+          return (double(sums.sum[half].at(x, y)[c]) - sums.carry[half].at(x, y)[c]) / n;
+        };
+        const double difference = mean(0, nA) - mean(1, nB);
+        square += difference * difference * share;
+      }
+      squares.push_back(square);
+    }
+  }
+}
+
+ErrorTails tailsAmong(std::vector<double> squares) {
+  const double total = std::accumulate(squares.begin(), squares.end(), 0.0);
+  const auto worst = std::size_t(std::ceil(kTailPixels * double(squares.size())));
+  std::partial_sort(squares.begin(), squares.begin() + std::ptrdiff_t(worst), squares.end(),
+                    std::greater<>());
+  const double carried = std::accumulate(squares.begin(), squares.begin() + std::ptrdiff_t(worst), 0.0);
+  return {total > 0.0 ? carried / total : 0.0, worst, false};
 }
 
 /// FNV-1a (Fowler, Noll, Vo), 64 bits: tells scenes apart, does not resist an attacker.
@@ -42,46 +91,15 @@ std::uint64_t samplesOfHalf(std::uint64_t begin, std::uint64_t end, int half, bo
 
 ErrorTails tailsOf(const FilmSums& sums) {
   if (!sums.errorMeter || sums.end - sums.begin < 2) return {};
-  const Image& shape = sums.sum[0];
   std::vector<double> squares;
-  squares.reserve(std::size_t(shape.width) * shape.height);
-  for (int y = 0; y < shape.height; ++y) {
-    const double nA = double(sums.count(0, y)), nB = double(sums.count(1, y));
-    const double share = nA * nB / ((nA + nB) * (nA + nB));
-    for (int x = 0; x < shape.width; ++x) {
-      double square = 0.0;
-      for (int c = 0; c < 3; ++c) {
-        const auto mean = [&](int half, double n) {
-          return (double(sums.sum[half].at(x, y)[c]) - sums.carry[half].at(x, y)[c]) / n;
-        };
-        const double difference = mean(0, nA) - mean(1, nB);
-        square += difference * difference * share;
-      }
-      squares.push_back(square);
-    }
-  }
-  const double total = std::accumulate(squares.begin(), squares.end(), 0.0);
-  const auto worst = std::size_t(std::ceil(kTailPixels * double(squares.size())));
-  std::partial_sort(squares.begin(), squares.begin() + std::ptrdiff_t(worst), squares.end(),
-                    std::greater<>());
-  const double carried = std::accumulate(squares.begin(), squares.begin() + std::ptrdiff_t(worst), 0.0);
-  return {total > 0.0 ? carried / total : 0.0, worst, false};
+  appendSquares(sums, squares);
+  return tailsAmong(std::move(squares));
 }
 
 FilmSums Renderer::filmSums() {
   if (!impl_->film) return {};
   const Film& film = impl_->currentFilm();
-  FilmSums out;
-  for (const int half : {0, 1}) {
-    out.sum[half] = rgbOf(*impl_->device, film.buffers()[2 * half], film.extent());
-    out.carry[half] = rgbOf(*impl_->device, film.buffers()[2 * half + 1], film.extent());
-  }
-  out.begin = film.progress.begin;
-  out.end = film.progress.done;
-  out.endAhead = film.progress.passEnd;
-  out.rowsAhead = film.progress.rowsDone;
-  out.errorMeter = impl_->metered();
-  return out;
+  return sumsOf(*impl_->device, film, impl_->metered(), {0, film.extent().height});
 }
 
 bool Renderer::midPass() const {
@@ -105,10 +123,28 @@ std::uint64_t Renderer::sceneFingerprint() const {
 }
 
 ErrorTails Renderer::measureTails() {
-  ErrorTails& tails = impl_->stats.error.tails;
-  tails = impl_->stats.error.valid ? tailsOf(filmSums()) : ErrorTails{};
-  tails.heavy = heavyTails(impl_->stats.error);
-  return tails;
+  impl_->tailSquares.clear();
+  while (!measureTails(std::numeric_limits<std::size_t>::max())) {
+  }
+  return impl_->stats.error.tails;
+}
+
+bool Renderer::measureTails(std::size_t mostPixels) {
+  ErrorEstimate& error = impl_->stats.error;
+  std::vector<double>& squares = impl_->tailSquares;
+  if (error.valid) {
+    // Read some rows more
+    const Film& film = impl_->currentFilm();
+    const std::size_t width = std::size_t(film.extent().width), height = std::size_t(film.extent().height);
+    const std::size_t begin = squares.size() / width;
+    const std::size_t rows = std::min(std::max<std::size_t>(mostPixels / width, 1), height - begin);
+    appendSquares(sumsOf(*impl_->device, film, impl_->metered(), {int(begin), int(begin + rows)}), squares);
+    if (begin + rows < height) return false;
+  }
+  error.tails = error.valid ? tailsAmong(std::move(squares)) : ErrorTails{};
+  error.tails.heavy = heavyTails(error);
+  squares.clear();
+  return true;
 }
 
 }  // namespace steradian

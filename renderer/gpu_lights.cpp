@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/rows.hpp"
+#include "renderer/top_level.hpp"
 
 namespace steradian {
 
@@ -35,6 +37,23 @@ struct FlatAxes {
 
 FlatAxes flatAxes(const glm::dmat3& m) {
   return glm::determinant(m) < 0.0 ? FlatAxes{m[0], m[2]} : FlatAxes{m[2], m[0]};
+}
+
+// Surface of a solid, for the light tree: of an ellipsoid within 1.1 % (Knud Thomsen), of a sheared cylinder
+// within its shear.
+double areaOf(ShapeKind kind, const glm::dmat3& m) {
+  const double pi = std::numbers::pi;
+  const double xy = glm::length(glm::cross(m[0], m[1])), yz = glm::length(glm::cross(m[1], m[2])),
+               zx = glm::length(glm::cross(m[2], m[0]));
+  if (kind == boxes) return 8.0 * (xy + yz + zx);
+  if (kind == cylinders) return 2.0 * pi * (zx + xy + yz);
+  constexpr double p = 1.6075;
+  const double mean = (std::pow(xy, p) + std::pow(yz, p) + std::pow(zx, p)) / 3.0;
+  return 4.0 * pi * std::pow(mean, 1.0 / p);
+}
+
+std::uint32_t solidLightKind(ShapeKind kind) {
+  return kind == boxes ? LIGHT_BOX : kind == cylinders ? LIGHT_CYLINDER : LIGHT_ELLIPSOID;
 }
 
 }  // namespace
@@ -78,17 +97,29 @@ std::uint32_t LightRows::addEmitter(ShapeKind kind, const Placement& place, cons
   return index;
 }
 
+std::uint32_t LightRows::addBody(const Body& body, const glm::vec3& radiance) {
+  const std::uint32_t index = count();
+  const glm::vec3 low(body.box.low[0], body.box.low[1], body.box.low[2]),
+      high(body.box.high[0], body.box.high[1], body.box.high[2]);
+  others_.insert(others_.end(),
+                 {glm::vec4(0.5f * (low + high), float(body.kind)), glm::vec4(radiance, 1.0f),
+                  glm::vec4(0.5f * (high - low), float(body.area)),
+                  glm::vec4(bits(body.row), bits(body.triangles), 0.0f, bits(body.primitive))});
+  features_ |= FEATURE_AREA_LIGHTS;
+  return index;
+}
+
+std::uint32_t LightRows::addSolid(ShapeKind kind, const Placement& place, const glm::vec3& radiance,
+                                  std::uint32_t primitive, std::uint32_t shapeRow) {
+  solids_ |= 1u << (solidLightKind(kind) - LIGHT_BOX);
+  const double area = areaOf(kind, place.worldFromUnit);
+  return addBody({solidLightKind(kind), boxOf(kind, place), area, shapeRow, 0, primitive}, radiance);
+}
+
 std::uint32_t LightRows::addMesh(const MeshLight& mesh, const Bounds& box, const glm::vec3& radiance,
                                  std::uint32_t primitive) {
-  const std::uint32_t index = count();
-  const glm::vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
-  others_.insert(others_.end(),
-                 {glm::vec4(0.5f * (low + high), float(LIGHT_MESH)), glm::vec4(radiance, 1.0f),
-                  glm::vec4(0.5f * (high - low), float(mesh.area)),
-                  glm::vec4(bits(mesh.triangleRow), bits(mesh.triangles), 0.0f, bits(primitive))});
-  features_ |= FEATURE_AREA_LIGHTS;
   mostTriangles_ = std::max(mostTriangles_, mesh.triangles);
-  return index;
+  return addBody({LIGHT_MESH, box, mesh.area, mesh.triangleRow, mesh.triangles, primitive}, radiance);
 }
 
 std::uint32_t LightRows::count() const {

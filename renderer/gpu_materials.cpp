@@ -72,8 +72,24 @@ std::uint32_t materialBits(const Material& m, const SurfaceLink& link) {
          (link.vertexFlags ? meshBits(m, *link.vertexFlags) : 0u);
 }
 
+bool isRoughGlass(std::uint32_t materialBits) {
+  constexpr std::uint32_t both = FEATURE_TRANSMISSION | FEATURE_GLOSSY;
+  return (materialBits & both) == both;
+}
+
+std::uint32_t GlassPlaces::rowOf(const Material& material, std::uint32_t materialBits,
+                                 std::vector<glm::vec4>& rows) {
+  if (!compensated_ || !isRoughGlass(materialBits)) return 0;
+  const auto [place, isNew] = rows_.try_emplace(material.ior, std::uint32_t(rows.size()));
+  if (isNew) {
+    const auto table = tables_.of(material.ior);
+    rows.insert(rows.end(), table->begin(), table->end());
+  }
+  return place->second;
+}
+
 void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t bits, std::uint32_t light,
-                  const glm::uvec4& refs) {
+                  const glm::uvec4& refs, std::uint32_t glassRow) {
   const float ratio = (m.ior - 1.0f) / (m.ior + 1.0f);
   // Glass reflects by Fresnel's equations, which know no weight.
   const float specular = m.transmission > 0.0f ? 1.0f : m.specular;
@@ -83,7 +99,7 @@ void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t
                     std::bit_cast<float>(bits));
   rows.emplace_back(m.emissionColor * m.emissionLuminance, std::bit_cast<float>(light));
   rows.emplace_back(m.transmission, m.ior, m.clearcoat, coatAlpha);
-  rows.emplace_back(absorptionOf(m), 0.0f);
+  rows.emplace_back(absorptionOf(m), std::bit_cast<float>(glassRow));
   rows.emplace_back(f82Coefficient(m.albedo, m.edgeTint), 0.0f);
   rows.emplace_back(std::bit_cast<float>(refs.x), std::bit_cast<float>(refs.y), std::bit_cast<float>(refs.z),
                     std::bit_cast<float>(refs.w));

@@ -14,6 +14,7 @@
 #include "renderer/gpu_shapes.hpp"
 #include "renderer/light_tree.hpp"
 #include "renderer/pixel_filter.hpp"
+#include "renderer/scene_cache.hpp"
 #include "renderer/top_level.hpp"
 
 namespace steradian {
@@ -108,19 +109,27 @@ void appendCamera(GpuScene& out, const Scene& scene, const CameraView& view, Ext
 
 // Materials and object ids in the order of the primitives; emissive ones join the lights.
 void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
-                    const InstanceList& instanceList, LightRows& lights, TexturePlaces& textures) {
+                    const InstanceList& instanceList, LightRows& lights, TexturePlaces& textures,
+                    GlassPlaces& glass) {
   std::vector<glm::vec4> objects;
   for (const SurfaceLink& link : shapes.kinds[instances].links)
     textures.refs(materialOf(scene, link), out.rows);
+  for (const ShapeList& list : shapes.kinds)
+    for (const SurfaceLink& link : list.links) {
+      const Material material = materialOf(scene, link);
+      glass.rowOf(material, materialBits(material, link), out.rows);
+    }
   out.params.materialRow = std::uint32_t(out.rows.size());
+  std::uint32_t firstRow = CAMERA_ROWS + FILTER_ROWS;  // of the kind of shape
   const auto lightOf = [&](int kind, std::size_t i, const Placement& place, std::uint32_t bits,
                            const glm::vec3& radiance) {
     const auto primitive = std::uint32_t(objects.size());
     if ((bits & FEATURE_EMISSION) == 0 || radiance == glm::vec3(0.0f)) return NO_LIGHT;
-    if (kind != instances)
-      return lights.addEmitter(ShapeKind(kind), place, radiance, (bits & MATERIAL_ONE_SIDED) != 0, primitive);
-    // Where a surface has holes, a point drawn on it may not be there: left to the paths.
-    if ((bits & MATERIAL_ALPHA) != 0) return NO_LIGHT;
+    const bool oneSided = (bits & MATERIAL_ONE_SIDED) != 0;
+    if (kind == boxes || kind == cylinders || kind == ellipsoids)
+      return lights.addSolid(ShapeKind(kind), place, radiance, primitive,
+                             firstRow + std::uint32_t(i) * AFFINE_ROWS);
+    if (kind != instances) return lights.addEmitter(ShapeKind(kind), place, radiance, oneSided, primitive);
     return lights.addMesh(instanceList.lights[i], instanceList.boxes[i], radiance, primitive);
   };
   const auto append = [&](const SurfaceLink& link, int kind, std::size_t i, const Placement& place) {
@@ -129,13 +138,15 @@ void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
     const glm::vec3 radiance = material.emissionColor * material.emissionLuminance;
     const std::uint32_t light = lightOf(kind, i, place, bits, radiance);
     const TextureRefs refs = link.vertexFlags ? textures.refs(material, out.rows) : TextureRefs(0);
-    pushMaterial(out.rows, material, bits, light, refs);
+    pushMaterial(out.rows, material, bits, light, refs, glass.rowOf(material, bits, out.rows));
     out.features |= bits & ~MATERIAL_OWN_BITS;
     objects.emplace_back(std::bit_cast<float>(std::uint32_t(link.object)), 0.0f, 0.0f, 0.0f);
   };
-  for (int kind = 0; kind < shapeKinds; ++kind)
+  for (int kind = 0; kind < shapeKinds; ++kind) {
     for (std::size_t i = 0; i < shapes.kinds[kind].links.size(); ++i)
       append(shapes.kinds[kind].links[i], kind, i, shapes.kinds[kind].places[i]);
+    firstRow += std::uint32_t(shapes.kinds[kind].rows.size());
+  }
   if (objects.empty()) append({Id::none, Id::none}, planes, 0, {});  // an empty scene still reads a row
   out.params.objectRow = std::uint32_t(out.rows.size());
   out.rows.insert(out.rows.end(), objects.begin(), objects.end());
@@ -148,6 +159,7 @@ void appendLights(GpuScene& out, const LightRows& lights) {
   out.params.sunCount = lights.sunCount();
   out.features |= lights.features();
   out.meshLights = lights.mostTriangles() > 0;
+  out.solidLights = lights.solids();
   out.rows.insert(out.rows.end(), rows.begin(), rows.end());
   const std::vector<glm::vec4> tree = lightTreeRows(rows);
   out.params.lightTreeRow = std::uint32_t(out.rows.size());
@@ -220,25 +232,25 @@ bool GpuScene::oneInstance() const {
 }
 
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, ShapeSearch search) {
-  MeshCache meshes;
-  TextureCache textures;
-  return packScene(scene, view, film, meshes, textures, search);
+  SceneCache cache;
+  return packScene(scene, view, film, cache, search);
 }
 
-GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
-                   TextureCache& textures, ShapeSearch search) {
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, SceneCache& cache,
+                   ShapeSearch search) {
   GpuScene out;
   applySettings(out, scene.render);
   appendCamera(out, scene, view, film);
   const std::vector<Placed> objects = visibleObjects(scene);
   const double largeRadius = largeRadiusOf(objects);
-  const MeshPlaces places(scene, meshes);
+  const MeshPlaces places(scene, cache.meshes);
   for (const MeshPlace& place : places.all()) {
     out.meshes.push_back(place.bvh);
     out.vertices.push_back(place.vertices);
   }
-  TexturePlaces texturePlaces(scene, textures);
+  TexturePlaces texturePlaces(scene, cache.textures);
   out.textures = texturePlaces.all();
+  GlassPlaces glass(cache.glass, scene.render.energyCompensation);
   InstanceList instanceList;
   ShapeLists shapes;
   LightRows lights;
@@ -254,7 +266,7 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Mesh
   }
   shapes.kinds[instances] = instanceList.shapes;
   appendShapes(out, shapes);
-  appendSurfaces(out, scene, shapes, instanceList, lights, texturePlaces);
+  appendSurfaces(out, scene, shapes, instanceList, lights, texturePlaces, glass);
   appendLights(out, lights);
   appendEnvironment(out, objects);
   appendTopLevel(out, shapes, instanceList, search);

@@ -27,6 +27,7 @@ struct GpuScene {
   std::vector<std::shared_ptr<const VertexRows>> vertices;     // of these meshes
   std::vector<std::shared_ptr<const PackedTexture>> textures;  // what lies in the texel buffer, in this order
   bool meshLights = false;                                     // meshes are among the lights
+  std::uint32_t solidLights = 0;                               // and solids: bit i of kind LIGHT_BOX + i
   double traversalSteps = 0.0;  // loop turns of the worst of some rays through the hierarchy over the scene
 
   bool sameRadiance(const GpuScene& other) const;
@@ -34,11 +35,11 @@ struct GpuScene {
   bool oneInstance() const;     // of a mesh, which needs no hierarchy above it
 };
 
-class MeshCache;
+class SceneCache;
 
-/// Invisible objects and shapes without extent are left out. The caches keep what is heavy for the next call.
-GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, MeshCache& meshes,
-                   TextureCache& textures, ShapeSearch search = ShapeSearch::automatic);
+/// Invisible objects and shapes without extent are left out. The cache keeps what is heavy for the next call.
+GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, SceneCache& cache,
+                   ShapeSearch search = ShapeSearch::automatic);
 GpuScene packScene(const Scene& scene, const CameraView& view, Extent film,
                    ShapeSearch search = ShapeSearch::automatic);
 

@@ -60,9 +60,9 @@ Cluster clusterOf(const glm::vec4* light) {
   if (kind == LIGHT_SPHERE) area = pi * radius * radius;
   if (flat) area = (kind == LIGHT_RECT ? 4.0 : pi) * glm::length(glm::cross(u, v));
   // A convex body shows a quarter of its area on average (Cauchy).
-  if (kind == LIGHT_MESH) area = 0.25 * double(light[2].w);
+  if (kind >= LIGHT_MESH) area = 0.25 * double(light[2].w);
   glm::dvec3 extent(kind == LIGHT_SPHERE ? radius : 0.0);
-  if (kind == LIGHT_MESH) extent = u;
+  if (kind >= LIGHT_MESH) extent = u;
   if (flat) extent = flatExtent(u, v, kind == LIGHT_RECT);
   return {centre - extent, centre + extent, luminance(light[1]) * area, kind == LIGHT_DIRECTIONAL};
 }

@@ -25,7 +25,7 @@ std::uint64_t loopBudgetOf(const Device& device) {
 
 std::uint32_t ablationFlags(const Ablation& a) {
   return (a.lightSampling ? 0u : TRACE_NO_LIGHT_SAMPLING) | (a.lightHits ? 0u : TRACE_NO_BSDF_HITS) |
-         (a.owenSobol ? 0u : TRACE_INDEPENDENT_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS) |
+         (a.owenSobol ? 0u : TRACE_PCG_SAMPLES) | (a.lightTree ? 0u : TRACE_UNIFORM_LIGHTS) |
          (a.visibleNormals ? 0u : TRACE_ALL_NORMALS);
 }
 
@@ -90,6 +90,7 @@ void Renderer::Impl::restart() {
   stale = true;
   previewPending = true;
   slope.reset();
+  tailSquares.clear();
   tracer.totals = {};
   const double compileSeconds = stats.compileSeconds;
   stats = {};
@@ -195,8 +196,7 @@ Renderer::Renderer(std::shared_ptr<Device> device, std::shared_ptr<SceneCache> c
 Renderer::~Renderer() = default;
 
 void Renderer::setScene(const Scene& scene, const CameraView& view, Extent film) {
-  GpuScene next =
-      packScene(scene, view, film, impl_->cache->meshes, impl_->cache->textures, impl_->shapeSearch);
+  GpuScene next = packScene(scene, view, film, *impl_->cache, impl_->shapeSearch);
   next.params.flags |= ablationFlags(impl_->ablation);
   const bool sameFilm = impl_->film && impl_->film->extent() == film;
   if (sameFilm && next.sameRadiance(impl_->scene)) return;
@@ -208,7 +208,7 @@ void Renderer::prepare(const Scene& scene, const CameraView& view, Extent film,
                        const std::function<bool(double)>& goOn) {
   impl_->cache->prepare(scene, goOn);
   if (!goOn(1.0)) return;
-  const GpuScene packed = packScene(scene, view, film, impl_->cache->meshes, impl_->cache->textures);
+  const GpuScene packed = packScene(scene, view, film, *impl_->cache);
   const LoopPlan plan = planLoops(packed.params, loopBudgetOf(*impl_->device), packed.traversalSteps);
   impl_->patientVariants.prepare(variantFor(packed, plan.lightSamples));
 }
@@ -240,7 +240,7 @@ void Renderer::allowSpecialization(bool allow) {
 }
 void Renderer::setAblation(const Ablation& ablation) {
   if (ablation == impl_->ablation) return;
-  impl_->scene.params.flags &= ~ablationFlags({false, false, false, false});
+  impl_->scene.params.flags &= ~ablationFlags({false, false, false, false, false});
   impl_->scene.params.flags |= ablationFlags(ablation);
   impl_->ablation = ablation;
   impl_->restart();
@@ -271,11 +271,12 @@ const RenderStats& Renderer::stats() const {
 ErrorEstimate Renderer::measureError() {
   if (!impl_->film) return {};
   const Film& film = impl_->currentFilm();
-  const MeterReading r = impl_->meter.read(film, impl_->metered());
+  const double clamp = impl_->scene.params.clampRadiance;
+  const MeterReading r = impl_->meter.read(film, impl_->metered(), clamp);
   RenderStats& stats = impl_->stats;
   stats.nanSamples = r.nan;
   stats.faults = r.faults;
-  stats.clampedRadiance = r.clampedRadiance;
+  stats.clampedShare = clamp > 0.0 ? std::optional(r.clampedShare) : std::nullopt;
   stats.raysClosest = r.raysClosest;
   stats.raysShadow = r.raysShadow;
   if (stats.traceSeconds > 0.0)

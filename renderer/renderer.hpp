@@ -89,12 +89,12 @@ struct RenderStats {
   std::uint64_t raysClosest = 0, raysShadow = 0;
   std::uint64_t nanSamples = 0;  // dropped and counted
   std::uint64_t faults = 0;  // samples that met a feature left out or ran out of loop budget: 0 is a promise
-  double clampedRadiance = 0.0;  // nit that clamping cut off, mean over the picture; 0 when it is off
-  double traceSeconds = 0.0;     // device time when timestamps exist, else wall time of the dispatches
-  double msPerSample = 0.0;      // of the whole film, recent average
-  double mraysPerSecond = 0.0;   // closest + shadow, recent average
-  double compileSeconds = 0.0;   // of pipelines, in all
-  bool compiling = false;        // a patient renderer waits for a pipeline; the last picture stays
+  std::optional<double> clampedShare;  // of the light: what clamping cut off, 0..1; nothing when it is off
+  double traceSeconds = 0.0;           // device time when timestamps exist, else wall time of the dispatches
+  double msPerSample = 0.0;            // of the whole film, recent average
+  double mraysPerSecond = 0.0;         // closest + shadow, recent average
+  double compileSeconds = 0.0;         // of pipelines, in all
+  bool compiling = false;              // a patient renderer waits for a pipeline; the last picture stays
   std::size_t meshBytes = 0, textureBytes = 0, skyBytes = 0;  // on the device
   ErrorEstimate error;
   VariantInfo variant;
@@ -105,7 +105,7 @@ struct RenderStats {
 struct Ablation {
   bool lightSampling = true;   // area lights and sky are sampled; off = met by paths alone
   bool lightHits = true;       // they count when paths meet them; off = sampled alone
-  bool owenSobol = true;       // off = independent random numbers
+  bool owenSobol = true;       // off = PCG: independent numbers
   bool lightTree = true;       // off = uniform choice among many lights
   bool visibleNormals = true;  // off = facets are drawn whether they are seen or not
   bool operator==(const Ablation&) const = default;
@@ -192,6 +192,9 @@ class Renderer {
   FilmSums filmSums();
   /// Reads the half-buffers back and updates stats().error.tails: costs a transfer of the film.
   ErrorTails measureTails();
+  /// The same in slices, between which samples may be added: reads `mostPixels` of the film, at least a row.
+  /// True when the last slice is in and the figure is new. Starting over drops what was read.
+  bool measureTails(std::size_t mostPixels);
   /// Some rows hold more samples than others: a pass over the film is under way.
   bool midPass() const;
   /// Equal for pictures that differ in their sample indices only: scene, view, size, settings and seed.

@@ -58,6 +58,7 @@ struct Renderer::Impl {
   bool showPreview = false;
   bool patient = false;
   std::uint64_t sampleBegin = 0, sampleEnd = 0xffffffffu;
+  std::vector<double> tailSquares;  // squared errors of the first pixels, while measureTails() is under way
   RenderStats stats;
 };
 

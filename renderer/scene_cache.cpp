@@ -4,6 +4,7 @@
 #include <set>
 
 #include "renderer/gpu_environment.hpp"
+#include "renderer/gpu_materials.hpp"
 
 namespace steradian {
 namespace {
@@ -37,6 +38,12 @@ class Plan {
     if (!sky || !seen_.insert(sky.get()).second) return;
     work.push_back({double(sky->width) * sky->height, [&cache = cache_, sky] { cache.skyOf(sky); }});
   }
+  /// Seen as any object may show it; a table that none needs costs little.
+  void add(const Material& material) {
+    if (!isRoughGlass(materialBits(material, {})) || !seenGlass_.insert(material.ior).second) return;
+    constexpr double cost = 1e6;
+    work.push_back({cost, [&cache = cache_, ior = material.ior] { cache.glass.of(ior); }});
+  }
 
   std::vector<Work> work;
 
@@ -44,6 +51,7 @@ class Plan {
   SceneCache& cache_;
   std::set<const void*> seen_;
   std::set<std::pair<const Texture*, bool>> seenTextures_;
+  std::set<float> seenGlass_;
 };
 
 std::vector<Work> workOf(const Scene& scene, SceneCache& cache) {
@@ -59,6 +67,7 @@ std::vector<Work> workOf(const Scene& scene, SceneCache& cache) {
     plan.add(m.metallicRoughnessTexture, false);
     plan.add(m.normalTexture, false);
     plan.add(m.emissionTexture, true);
+    if (scene.render.energyCompensation) plan.add(m);
   }
   return std::move(plan.work);
 }

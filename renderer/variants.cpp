@@ -32,6 +32,8 @@ std::vector<Specialization> constantsOf(const Device& device, const VariantKey& 
   constants.push_back({CONSTANT_ONE_INSTANCE, key.oneInstance ? 1u : 0u});
   constants.push_back({CONSTANT_SHAPE_HIERARCHY, key.shapeHierarchy ? 1u : 0u});
   constants.push_back({CONSTANT_MESH_LIGHTS, key.meshLights ? 1u : 0u});
+  for (std::uint32_t i = 0; i < SOLID_LIGHT_KINDS; ++i)
+    constants.push_back({CONSTANT_SOLID_LIGHTS + i, (key.solidLights >> i) & 1u});
   constants.push_back(loopForm(device));
   return constants;
 }
@@ -73,7 +75,8 @@ bool VariantKey::covers(const VariantKey& needed) const {
   return (needed.features & ~features) == 0 && serves(fixedSpheres, needed.fixedSpheres) &&
          serves(fixedPlanes, needed.fixedPlanes) && serves(fixedLights, needed.fixedLights) &&
          serves(oneInstance, needed.oneInstance) && shapeHierarchy == needed.shapeHierarchy &&
-         meshLights == needed.meshLights && ablation == needed.ablation;
+         meshLights == needed.meshLights && (needed.solidLights & ~solidLights) == 0 &&
+         ablation == needed.ablation;
 }
 
 VariantKey genericFor(const VariantKey& needed) {
@@ -82,6 +85,7 @@ VariantKey genericFor(const VariantKey& needed) {
       *std::ranges::find_if(genericFeatures, [&](auto known) { return (needed.features & ~known) == 0; });
   generic.shapeHierarchy = needed.shapeHierarchy;
   generic.meshLights = needed.meshLights;
+  generic.solidLights = needed.solidLights != 0 ? (1u << SOLID_LIGHT_KINDS) - 1u : 0u;
   return generic;
 }
 
@@ -90,6 +94,7 @@ VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
   VariantKey key{scene.features};
   key.shapeHierarchy = scene.shapeHierarchy();
   key.meshLights = scene.meshLights;
+  key.solidLights = scene.solidLights;
   const std::uint32_t listedSpheres = key.shapeHierarchy ? 0 : p.sphereCount;
   if (listedSpheres <= MAX_FIXED && p.planeCount <= MAX_FIXED) {
     key.fixedSpheres = listedSpheres;
@@ -143,6 +148,7 @@ VariantInfo describeVariant(const VariantKey& key) {
     ((key.features >> i) & 1u ? info.features : info.leftOut).push_back(names[i]);
   if (key.shapeHierarchy) info.features.push_back("shape hierarchy");
   if (key.meshLights) info.features.push_back("mesh lights");
+  if (key.solidLights) info.features.push_back("solid lights");
   if (key.fixedSpheres) info.features.push_back(std::to_string(key.fixedSpheres) + " spheres baked");
   if (key.fixedPlanes) info.features.push_back(std::to_string(key.fixedPlanes) + " planes baked");
   if (key.fixedLights) info.features.push_back(std::to_string(key.fixedLights) + " lights baked");

@@ -21,6 +21,7 @@ struct VariantKey {
   bool oneInstance = false;                                          // of a mesh
   bool shapeHierarchy = false;                                       // bounded shapes lie in the hierarchy
   bool meshLights = false;                                           // meshes are among the lights
+  std::uint32_t solidLights = 0;                                     // bit i: CONSTANT_SOLID_LIGHTS + i
   bool ablation = false;                                             // obeys the flags of measurements
   bool operator==(const VariantKey&) const = default;
   /// Compiled for at least what `needed` asks; counts at run time serve any count.

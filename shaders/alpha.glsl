@@ -29,18 +29,25 @@ float opacityAt(uint materialRow, uint primitive, uint triangle, vec3 weights, L
   return opacity;
 }
 
-// Whether a ray meets this point of a triangle; weights need not sum to 1.
-bool isMet(uint primitive, uint triangle, vec3 weights) {
+// Share of the rays that meet this point of a triangle; the weights sum to 1.
+float presenceAt(uint primitive, uint triangle, vec3 weights, Layout l) {
   uint row = params.materialRow + primitive * MATERIAL_ROWS;
   uint bits = floatBitsToUint(fetchRow(row + 1u).w);
-  bool met = true;
+  float presence = 1.0;
   if ((bits & MATERIAL_ALPHA) != 0u) {
-    float opacity = opacityAt(row, primitive, triangle, weights / (weights.x + weights.y + weights.z), primitiveLayout());
-    float chance = unitFloat(hashCombine(hashCombine(alphaSeed, triangle), primitive));
+    float opacity = opacityAt(row, primitive, triangle, weights, l);
     bool masked = (bits & MATERIAL_MASK) != 0u;
-    met = masked ? opacity >= fetchRow(row + 7u).z : (alphaSeed == 0u ? opacity > 0.0 : chance < opacity);
+    presence = masked ? (opacity >= fetchRow(row + 7u).z ? 1.0 : 0.0) : clamp(opacity, 0.0, 1.0);
   }
-  return met;
+  return presence;
+}
+
+// Whether a ray meets the point; weights need not sum to 1.
+bool isMet(uint primitive, uint triangle, vec3 weights) {
+  vec3 whole = weights / (weights.x + weights.y + weights.z);
+  float presence = presenceAt(primitive, triangle, whole, primitiveLayout());
+  float chance = unitFloat(hashCombine(hashCombine(alphaSeed, triangle), primitive));
+  return alphaSeed == 0u ? presence > 0.0 : chance < presence;
 }
 
 #endif

@@ -107,9 +107,14 @@ BsdfValue transmittedValue(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
     solid.pdf = refractingDensityOfAll(h, length2, wi, lobes.eta, lobes.alpha);
   }
   float pdf = lobes.thin ? sheet.pdf : solid.pdf;
-  float cosH = min(abs(dot(wo, h)) * inversesqrt(length2), 1.0);
+  float inverse = inversesqrt(length2);
+  float cosO = min(abs(dot(wo, h)) * inverse, 1.0);
+  float cosT = abs(dot(wi, h)) * inverse;
+  if (lobes.thin) cosT = sqrt(max(1.0 - (1.0 - cosO * cosO) / (lobes.eta * lobes.eta), 0.0));
+  float through = fresnelTransmitted(cosO, cosT, lobes.eta);
+  if (lobes.thin) through /= 2.0 - through;  // 1 - sheetReflectance
   bool beam = passesUnscattered(lobes);
-  vec3 passed = lobes.transmit * ((1.0 - glassReflectance(lobes, cosH)) * fCos);
+  vec3 passed = lobes.transmit * (through * fCos);
   return BsdfValue(beam ? vec3(0.0) : passed, beam ? 0.0 : lobes.transmitChance * pdf);
 }
 

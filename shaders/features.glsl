@@ -43,7 +43,12 @@ layout(constant_id = 34) const uint kFixedLights = 0;
 layout(constant_id = 35) const bool kAblation = false;
 // Bounded analytic shapes lie in the hierarchy over the scene (TRACE_SHAPE_HIERARCHY), not in flat lists.
 layout(constant_id = 41) const bool kShapeHierarchy = false;
+// Solids among the lights.
+layout(constant_id = 43) const bool kBoxLights = false;
+layout(constant_id = 44) const bool kCylinderLights = false;
+layout(constant_id = 45) const bool kEllipsoidLights = false;
 
+const bool kSolidLights = kBoxLights || kCylinderLights || kEllipsoidLights;
 const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
 // Lights that paths meet as well: both ways are weighed against each other.
 const bool kMetLights = kAreaLights || kSuns || kSampledSky;

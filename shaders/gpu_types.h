@@ -3,7 +3,8 @@
 //
 // Scene data is a list of vec4 rows in one texel buffer, relative to the camera (origin = camera position):
 //   camera (3 rows), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
-//   boxes, rects, disks, cylinders, ellipsoids (3 each), mesh instances (4), materials (8 per primitive),
+//   boxes, rects, disks, cylinders, ellipsoids (3 each), mesh instances (7), texture references,
+//   tables of rough glass (GLASS_ROWS per index of refraction), materials (8 per primitive),
 //   object ids (1 per primitive), lights (4; suns first), light tree, environment (6), top level of the
 //   hierarchy (over meshes, and shapes with TRACE_SHAPE_HIERARCHY).
 // What rarely changes lies in a second texel buffer, the tables: ENERGY_ROWS of albedo tables, then the image
@@ -27,10 +28,10 @@
 //   material     albedo, metallic | alpha = roughness^2, dielectric F0, dielectric F90, bits (FEATURE_*,
 //   MATERIAL_*) |
 //                emission (nit), bits: light that samples this primitive or NO_LIGHT |
-//                transmission, ior, coat weight, coat alpha | absorption (1/m), - | F82 coefficient, - |
-//                bits: texture references of albedo, metallic-roughness, normal, emission (rows; 0 = none) |
-//                normal scale, opacity, alpha cutoff, -
-//                (one per primitive: a shared table would cost a dependent fetch at every vertex)
+//                transmission, ior, coat weight, coat alpha | absorption (1/m), bits: glass row | F82
+//                coefficient, - | bits: texture references of albedo, metallic-roughness, normal, emission
+//                (rows; 0 = none) | normal scale, opacity, alpha cutoff, - (one per primitive: a shared table
+//                would cost a dependent fetch at every vertex)
 //   texture ref  bits: first word, width, height, TEXEL_* | transformX, - | transformY, -
 //   object id    bits, -, -, -
 //   point        position, kind | intensity (cd), - | - | -
@@ -43,6 +44,7 @@
 //   mesh light   centre, kind | radiance (nit), 1 = both sides | half extent of its box, area (m^2) | bits:
 //   row of its
 //                first triangle, count of them, -, its primitive
+//   solid light  as a mesh light, but bits: row of its affine shape in place of the first triangle
 //   light tree   2 rows per node, 2 * lights - 1
 //   nodes, the root first, siblings side by side; then 1 row per light:
 //                centre, power (cd; lx for directional; of all lights 1) | squared near-field radius (-1 =
@@ -80,6 +82,9 @@ GPU_CONST uint LIGHT_SPHERE = 3u;
 GPU_CONST uint LIGHT_RECT = 4u;
 GPU_CONST uint LIGHT_DISK = 5u;
 GPU_CONST uint LIGHT_MESH = 6u;
+GPU_CONST uint LIGHT_BOX = 7u;  // and the other solids
+GPU_CONST uint LIGHT_CYLINDER = 8u;
+GPU_CONST uint LIGHT_ELLIPSOID = 9u;
 
 // Hierarchies: a link is a node's first row, or BVH_LEAF, count and first triangle; BVH_END closes the stack.
 GPU_CONST uint BVH_NODE_ROWS = 2u;
@@ -176,7 +181,9 @@ GPU_CONST uint CONSTANT_ANY_HIT = 37u;  // cast_rays.comp: shadow rays
 GPU_CONST uint CONSTANT_ONE_INSTANCE = 38u;     // a single mesh instance needs no hierarchy above it
 GPU_CONST uint CONSTANT_SHAPE_HIERARCHY = 41u;  // as TRACE_SHAPE_HIERARCHY
 GPU_CONST uint CONSTANT_MESH_LIGHTS = 42u;      // meshes are among the lights
-GPU_CONST uint MAX_FIXED = 8u;                  // spheres, planes
+GPU_CONST uint CONSTANT_SOLID_LIGHTS = 43u;     // boxes are; the next two: cylinders, ellipsoids
+GPU_CONST uint SOLID_LIGHT_KINDS = 3u;
+GPU_CONST uint MAX_FIXED = 8u;  // spheres, planes
 GPU_CONST uint MAX_FIXED_LIGHTS = 4u;
 
 // Flags of TraceParams.
@@ -189,11 +196,11 @@ GPU_CONST uint TRACE_MET_LIGHTS =
     512u;  // something emits: paths go one segment past the last bounce, to meet it
 GPU_CONST uint TRACE_SHAPE_HIERARCHY = 1024u;  // bounded analytic shapes lie in the top level
 // Ablations for measurements (what a method is worth); all 0 in use.
-GPU_CONST uint TRACE_NO_LIGHT_SAMPLING = 32u;     // area lights and environment are found by paths alone
-GPU_CONST uint TRACE_NO_BSDF_HITS = 64u;          // they are sampled alone
-GPU_CONST uint TRACE_INDEPENDENT_SAMPLES = 128u;  // hashed numbers instead of Owen-scrambled Sobol points
-GPU_CONST uint TRACE_UNIFORM_LIGHTS = 256u;       // many lights: uniform choice instead of the tree
-GPU_CONST uint TRACE_ALL_NORMALS = 2048u;  // facets drawn by their distribution, whether visible or not
+GPU_CONST uint TRACE_NO_LIGHT_SAMPLING = 32u;  // area lights and environment are found by paths alone
+GPU_CONST uint TRACE_NO_BSDF_HITS = 64u;       // they are sampled alone
+GPU_CONST uint TRACE_PCG_SAMPLES = 128u;       // independent numbers instead of Owen-scrambled Sobol points
+GPU_CONST uint TRACE_UNIFORM_LIGHTS = 256u;    // many lights: uniform choice instead of the tree
+GPU_CONST uint TRACE_ALL_NORMALS = 2048u;      // facets drawn by their distribution, whether visible or not
 
 // Push constants of path_trace.comp and pick.comp.
 struct TraceParams {
@@ -227,6 +234,9 @@ struct FilmParams {
 // two rows per cell: the part of F0 at the 4 corners | the part of F90 at the 4 corners.
 GPU_CONST uint ENERGY_CELLS = 32u;
 GPU_CONST uint ENERGY_ROWS = 2u * ENERGY_CELLS * ENERGY_CELLS;
+// The same grid of white rough glass, reflected and passed together: a row per cell, its 4 corners; seen from
+// the outside, then from within.
+GPU_CONST uint GLASS_ROWS = 2u * ENERGY_CELLS * ENERGY_CELLS;
 
 // Push constants of the display pass: a film shown in a rectangle.
 struct DisplayParams {
@@ -238,18 +248,19 @@ struct DisplayParams {
   float parameters[8];  // of the tonemapper
 };
 
-// One work group's part of the meter: sum d^2, sum d^2/(mean^2+floor), closest rays, shadow rays over
-// METER_PIXELS.
+// One work group's part of the meter over METER_PIXELS, 2 rows: sum d^2, sum d^2/(mean^2+floor), closest
+// rays, shadow rays | sum of the samples' luminance (nit), -, -, -
+GPU_CONST uint METER_ROWS = 2u;
 GPU_CONST uint METER_GROUP = 64u;
 GPU_CONST uint METER_PIXELS = 1024u;
 
-// Counters of a film (uint): NaN samples, faults, radiance cut by clamping (64 bits, in CLAMPED_UNITS per
-// nit).
+// Counters of a film (uint): NaN samples, faults, luminance cut by clamping (64 bits, CLAMPED_UNITS for what
+// the clamp lets pass).
 GPU_CONST uint COUNTER_NAN = 0u;
 GPU_CONST uint COUNTER_FAULTS = 1u;
 GPU_CONST uint COUNTER_CLAMPED_LOW = 2u;
 GPU_CONST uint COUNTER_CLAMPED_HIGH = 3u;
-GPU_CONST uint CLAMPED_UNITS = 256u;
+GPU_CONST uint CLAMPED_UNITS = 4096u;
 GPU_CONST uint COUNTERS = 4u;
 
 // pick.comp's answer: primitive and object (bits), distance, - | position relative to the camera, - | normal,

@@ -218,19 +218,6 @@ float rectPdf(vec3 p, vec3 centre, vec3 halfU, vec3 halfV, vec3 wi) {
   return sampledByArea(view) ? byArea : 1.0 / view.solidAngle;
 }
 
-// Semi-axes u, v, right angles or not.
-LightDirection sampleDisk(vec3 p, vec3 centre, vec3 axisU, vec3 axisV, float u, float v) {
-  CosSin azimuth = cosSinTurn(v);
-  float r = sqrt(u);
-  vec3 toPoint = (centre - p) + axisU * (r * azimuth.c) + axisV * (r * azimuth.s);
-  return towardsPoint(toPoint, cross(axisU, axisV) * PI);
-}
-
-// Density of sampleDisk() for a direction that meets the disk.
-float diskPdf(vec3 p, vec3 centre, vec3 axisU, vec3 axisV, vec3 wi) {
-  return areaPdf(centre - p, cross(axisU, axisV) * PI, wi);
-}
-
 // Whether wi lies within x = 1 - cos of a unit axis: by the chord, whose square is 2 (1 - cos).
 bool inCone(vec3 wi, vec3 axis, float x) {
   vec3 chord = wi - axis;

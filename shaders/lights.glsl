@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What one light sends to a point if nothing is in between. Punctual ones (KHR_lights_punctual) are met by no path;
-// sphere, rect and disk lights and suns are, and state the density of both ways.
+// lights with a body and suns are, and state the density of both ways.
 #ifndef LIGHTS_GLSL
 #define LIGHTS_GLSL
 #extension GL_EXT_control_flow_attributes : require
-#include "light_sampling.glsl"
 #include "scene.glsl"
+#include "solid_sampling.glsl"
 
 struct LightSample {
   vec3 wi;           // unit, towards the light
@@ -79,26 +79,45 @@ LightSample sampleArea(LightRows light, vec3 p, uint kind, float u, float v) {
   return LightSample(d.wi, d.distance, illuminance, pdf, floatBitsToUint(light.d.w));
 }
 
+SolidKinds solidKinds() { return SolidKinds(kBoxLights, kCylinderLights, kEllipsoidLights); }
+bool isSolidLight(uint kind) { return kSolidLights && kind >= LIGHT_BOX; }
+
+SolidSpace solidLightSpace(LightRows light, uint kind, vec3 p) {
+  uint row = floatBitsToUint(light.d.x);
+  return solidSpace(kind, p, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
+}
+
+LightSample sampleSolidLight(LightRows light, vec3 p, uint kind, float u, float v) {
+  LightDirection d = sampleSolid(kind, solidLightSpace(light, kind, p), u, v, solidKinds());
+  vec3 illuminance = d.pdf > 0.0 ? light.b.xyz / d.pdf : vec3(0.0);
+  return LightSample(d.wi, d.distance, illuminance, d.pdf, floatBitsToUint(light.d.w));
+}
+
 // (u, v) in [0, 1)^2, used by lights of non-zero size only.
 LightSample sampleLight(LightRows light, vec3 p, float u, float v) {
   uint kind = uint(light.a.w);
   LightSample s = samplePunctual(light, p, kind);
   if (kDirectionalLights && kind == LIGHT_DIRECTIONAL) s = sampleDirectional(light, u, v);
   if (kAreaLights && kind >= LIGHT_SPHERE) s = sampleArea(light, p, kind, u, v);
+  if (isSolidLight(kind)) s = sampleSolidLight(light, p, kind, u, v);
   return s;
 }
+
+// The same as lightPdf() of a sun, 0 for parallel light.
+float sunPdf(LightRows light) { return light.b.w > 0.0 ? conePdf(light.b.w) : 0.0; }
 
 // Density with which sampleLight() would have chosen wi, given that a ray from p along wi meets this light; 0 for a
 // punctual one.
 float lightPdf(LightRows light, vec3 p, vec3 wi) {
   uint kind = uint(light.a.w);
   float pdf = 0.0;
-  if (kSuns && kind == LIGHT_DIRECTIONAL && light.b.w > 0.0) pdf = conePdf(light.b.w);
+  if (kSuns && kind == LIGHT_DIRECTIONAL) pdf = sunPdf(light);
   if (kAreaLights) {
     if (kRoundLights && kind == LIGHT_SPHERE) pdf = spherePdf(p, light.a.xyz, light.b.w, wi);
     if (kRects && kind == LIGHT_RECT) pdf = rectPdf(p, light.a.xyz, light.c.xyz, light.d.xyz, wi);
     if (kDisks && kind == LIGHT_DISK) pdf = diskPdf(p, light.a.xyz, light.c.xyz, light.d.xyz, wi);
     if ((kRects || kDisks) && kind > LIGHT_SPHERE) pdf = facesLight(light, p) ? pdf : 0.0;
+    if (isSolidLight(kind)) pdf = solidPdf(kind, solidLightSpace(light, kind, p), wi, solidKinds());
   }
   return pdf;
 }

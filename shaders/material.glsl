@@ -47,7 +47,13 @@ struct FacetAlbedo {
   float f90;
 };
 
-FacetAlbedo facetAlbedo(float alpha, float cosO) {
+// Between the corners of one cell of such a table.
+struct TableCell {
+  uint at;
+  vec4 weights;
+};
+
+TableCell tableCell(float alpha, float cosO) {
   float cells = float(ENERGY_CELLS);
   float x = sqrt(sqrt(alpha)) * cells;
   float y = sqrt(sqrt(cosO)) * cells;
@@ -56,9 +62,12 @@ FacetAlbedo facetAlbedo(float alpha, float cosO) {
   float fx = x - column;
   float fy = y - line;
   vec4 weights = vec4((1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy);
-  uint row = 2u * (uint(line) * ENERGY_CELLS + uint(column));
-  float f0 = dot(fetchTable(row), weights);
-  float f90 = dot(fetchTable(row + 1u), weights);
+  return TableCell(uint(line) * ENERGY_CELLS + uint(column), weights);
+}
+
+FacetAlbedo facetAlbedo(float alpha, float cosO, TableCell cell) {
+  float f0 = dot(fetchTable(2u * cell.at), cell.weights);
+  float f90 = dot(fetchTable(2u * cell.at + 1u), cell.weights);
   float grazing = pow5(1.0 - cosO);
   bool mirror = alpha < MIRROR_ALPHA;
   return FacetAlbedo(mirror ? 1.0 - grazing : f0, mirror ? grazing : f90);
@@ -67,6 +76,14 @@ FacetAlbedo facetAlbedo(float alpha, float cosO) {
 // Turquin 2019: facets of reflectance F0 gain 1 + F0 * this by light scattered more than once.
 float multipleScattering(FacetAlbedo albedo) { return 1.0 / (albedo.f0 + albedo.f90) - 1.0; }
 
+// What rough glass of a material (its first row) gives back, reflected and passed. Facets of a sheet lose as those that
+// only reflect do.
+float glassAlbedo(Lobes lobes, uint row, TableCell cell, FacetAlbedo facets, bool inside) {
+  uint table = floatBitsToUint(fetchRow(row + 4u).w) + (inside ? ENERGY_CELLS * ENERGY_CELLS : 0u);
+  float solid = passesUnscattered(lobes) ? 1.0 : dot(fetchRow(table + cell.at), cell.weights);
+  return lobes.thin ? facets.f0 + facets.f90 : solid;
+}
+
 bool compensated() { return kCompensation && (params.flags & TRACE_COMPENSATION) != 0u; }
 
 // The coat's lobe; what is left for the base below it.
@@ -74,7 +91,7 @@ float applyCoat(inout Lobes lobes, float weight, float alpha, float cosO) {
   float gain = 1.0;
   float reflected = coatReflectance(1.0, pow5(1.0 - cosO));
   if (kCompensation) {
-    FacetAlbedo albedo = facetAlbedo(alpha, cosO);
+    FacetAlbedo albedo = facetAlbedo(alpha, cosO, tableCell(alpha, cosO));
     bool on = compensated();
     gain = on ? 1.0 + COAT_F0 * multipleScattering(albedo) : gain;
     reflected = on ? gain * (COAT_F0 * albedo.f0 + albedo.f90) : reflected;
@@ -98,21 +115,24 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
   lobes.thin = thin;
   lobes.eta = inside && !thin ? 1.0 / glassAndCoat.y : glassAndCoat.y;
 
-  // What facets give back: nothing more without compensation, and glass stays without it.
+  // What facets give back: nothing more without compensation.
   float dielectric = 1.0 - m.metallic;
   float schlick = glass ? 0.0 : dielectric;
   float gain = 0.0;      // by multiple scattering, times F0
+  float glassGain = 1.0; // the same for what glass reflects and passes, which keep their proportion
   float reflected = 0.0; // albedo of the dielectric's facets, for the diffuse lobe below them
   if (kCompensation) {
-    FacetAlbedo albedo = facetAlbedo(m.alpha, cosO);
+    TableCell cell = tableCell(m.alpha, cosO);
+    FacetAlbedo albedo = facetAlbedo(m.alpha, cosO, cell);
     float single = m.dielectricF0 * albedo.f0 + m.dielectricF90 * albedo.f90;
     gain = compensated() ? multipleScattering(albedo) : 0.0;
     reflected = single * (1.0 + m.dielectricF0 * gain);
     if (kTransmission) {
+      glassGain = compensated() ? 1.0 / glassAlbedo(lobes, row, cell, albedo, inside) : 1.0;
       // Exact for smooth glass; roughness shifts it as it shifts Schlick's.
       float smoothSingle = m.dielectricF0 + (m.dielectricF90 - m.dielectricF0) * pow5(1.0 - cosO);
       float exact = glassReflectance(lobes, cosO) + (single - smoothSingle);
-      reflected = glass ? clamp(exact, 0.0, 1.0) : reflected;
+      reflected = glass ? clamp(exact * glassGain, 0.0, 1.0) : reflected;
     }
     reflected = compensated() ? reflected : 0.0;
   }
@@ -131,8 +151,10 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
   lobes.dielectricF0 = atHalfVector && !glass ? m.dielectricF0 : 0.0;
   lobes.dielectricF90 = atHalfVector && !glass ? m.dielectricF90 : 0.0;
   lobes.exactLoss = atHalfVector && glass ? 1.0 : 0.0;
-  lobes.exact = glass ? dielectric * below : 0.0;
-  lobes.transmit = m.albedo * (dielectric * transmission * below);
+  precise float passing = dielectric * below * glassGain;
+  lobes.exact = glass ? passing : 0.0;
+  precise vec3 transmit = m.albedo * (transmission * passing);
+  lobes.transmit = glass ? transmit : vec3(0.0);
   bool facets = kGlossy || kMirror || kTransmission || kClearcoat;
   bool several = kTransmission || kClearcoat || (kDiffuse && facets);
   lobes.chance = facets ? 1.0 : 0.0;

@@ -39,7 +39,7 @@ uint triangleAtShare(LightRows light, float u) {
   uint low = 0u;
   uint high = floatBitsToUint(light.d.y) - 1u;
   while (low < high) {
-    uint middle = (low + high) >> 1;
+    uint middle = low + ((high - low) >> 1);
     bool beyond = fetchMesh(first + middle * BVH_TRIANGLE_ROWS + 2u).w <= u;
     low = beyond ? middle + 1u : low;
     high = beyond ? high : middle;
@@ -47,16 +47,17 @@ uint triangleAtShare(LightRows light, float u) {
   return first + low * BVH_TRIANGLE_ROWS;
 }
 
-// Factor of the radiance that the emission texture gives; in full resolution, samples average it.
+// Factor of the radiance that the emission texture gives, in full resolution, since samples average it, and of it the
+// share that is there where the mesh has holes.
 vec3 emissionTexture(LightRows light, uint triangle, vec3 weights, Layout l) {
   uint primitive = floatBitsToUint(light.d.w);
   uint ref = floatBitsToUint(fetchRow(params.materialRow + primitive * MATERIAL_ROWS + 6u).w);
-  vec3 factor = vec3(1.0);
+  vec3 factor = vec3(kAlpha ? presenceAt(primitive, triangle, weights, l) : 1.0);
   if (kTextures && ref != 0u) {
     TextureRef t = fetchTextureRef(ref);
     vec4 uv = interpolatedUv(cornersOf(primitive, triangle, l), weights);
     bool second = (t.bits & TEXEL_UV1) != 0u;
-    factor = lookUp(t, second ? uv.z : uv.x, second ? uv.w : uv.y, 0u).xyz;
+    factor *= lookUp(t, second ? uv.z : uv.x, second ? uv.w : uv.y, 0u).xyz;
   }
   return factor;
 }

@@ -28,6 +28,15 @@ float fresnelDielectric(float cosine, float eta) {
   return 0.5 * (p * p + s * s);
 }
 
+// What passes, 1 - fresnelDielectric, by the cosines on both sides: the same for light that comes back this way, and
+// with all its digits where little passes, at grazing angles and near total reflection.
+float fresnelTransmitted(float cosO, float cosT, float eta) {
+  float s = cosO + eta * cosT;
+  float p = eta * cosO + cosT;
+  float inverse = 1.0 / max(s * p, 1e-18);
+  return 2.0 * eta * cosO * cosT * (s * s + p * p) * (inverse * inverse);
+}
+
 // A thin sheet reflects at both faces, with all reflections between them: R + T^2 R / (1 - R^2) for T = 1 - R.
 float sheetReflectance(float r) { return 2.0 * r / (1.0 + r); }
 

@@ -43,7 +43,7 @@ struct Tally {
   uint shadowRays;
   uint nan;
   uint missing;
-  float clamped;  // nit cut off
+  float clamped;  // luminance cut off, nit
 };
 
 // Light that is sampled at the last vertex may also be met just behind it; both halves of the estimate are needed.
@@ -55,8 +55,7 @@ bool samplesLights(Path path) { return path.bounce <= params.maxBounces; }
 bool ablated(uint flag) { return kAblation && (params.flags & flag) != 0u; }
 
 SamplePair pairAt(uint seed, uint index, uint dimension) {
-  if (ablated(TRACE_INDEPENDENT_SAMPLES))
-    return SamplePair(sampleIndependent(seed, index, 2u * dimension + 0x40000u), sampleIndependent(seed, index, 2u * dimension + 0x40001u));
+  if (ablated(TRACE_PCG_SAMPLES)) return pcgPair(seed, index, dimension);
   return samplePair(seed, index, dimension);
 }
 
@@ -121,6 +120,8 @@ LightSample lightSampleAt(LightRows light, Vertex v, uint slot) {
   SamplePair pair = SamplePair(0.5, 0.5);
   if (kAreaLights || kSuns) pair = lightPair(v, slot);
   LightSample s = sampleLight(light, v.surface.p, pair.x, pair.y);
+  // A convex solid does not light itself, whatever side of its surface rounding puts the point on.
+  if (isSolidLight(uint(light.a.w)) && v.primitive == s.primitive && !v.inside) s.illuminance = vec3(0.0);
   if (isMeshLight(light)) {
     s = sampleMeshLight(light, v.surface.p, pair.x, pair.y, primitiveLayout());
     // A point in the plane of the facet gives it nothing; rounding must not lift it above.
@@ -211,7 +212,7 @@ vec3 skyLight(Path path) {
   if (kSuns)
     for (uint i = 0u; i < params.sunCount; ++i) {
       LightRows sun = fetchLight(i);
-      float pdf = lightPdf(sun, path.ray.o, path.ray.d) * samplesOfLight(i, path.ray.o);
+      float pdf = sunPdf(sun) * samplesOfLight(i, path.ray.o);
       sum += sunRadiance(sun, path.ray.d) * metWeight(path.pdf, pdf);
     }
   return sum;
@@ -236,7 +237,7 @@ Vertex vertexAt(Hit hit, Path path, uint seed, Layout l) {
   Vertex v;
   v.surface = surfaceAt(path.ray, hit, l);
   float jitter = kTextures ? sampleIndependent(seed, path.index, 0x20000u + path.bounce) : 0.0;
-  Shading shading = shadingAt(v.surface, hit, path.ray.d, path.width + path.spread * hit.t, jitter, l);
+  Shading shading = shadingAt(v.surface, hit, path.ray.d, path.width + path.spread * hit.t, path.pdf > 0.0, jitter, l);
   v.material = shading.material;
   // A ray that left to its own solid's inside meets it from there, even where an edge or a graze blurs the sign.
   bool back = path.ray.self == hit.primitive && path.ray.selfInside && hit.primitive < l.instance;

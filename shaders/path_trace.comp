@@ -23,11 +23,14 @@ uvec2 pixelOfInvocation() {
 }
 
 // 64 bits from two counters: whole units, so that the total does not depend on the order.
-void countClamped(float radiance) {
-  uint units = uint(min(radiance * float(CLAMPED_UNITS), 4e9));
-  if (units == 0u) return;
-  uint before = atomicAdd(counters[COUNTER_CLAMPED_LOW], units);
-  if (before + units < before) atomicAdd(counters[COUNTER_CLAMPED_HIGH], 1u);
+void countClamped(float cut) {
+  if (!(cut > 0.0)) return;
+  float units = floor(min(cut / params.clampRadiance * float(CLAMPED_UNITS), 1e15) + 0.5);
+  float high = floor(units / 4294967296.0);
+  uint low = uint(units - high * 4294967296.0);
+  uint before = atomicAdd(counters[COUNTER_CLAMPED_LOW], low);
+  uint more = uint(high) + (before + low < before ? 1u : 0u);
+  if (more > 0u) atomicAdd(counters[COUNTER_CLAMPED_HIGH], more);
 }
 
 void main() {

@@ -15,6 +15,9 @@ struct Ray {
 // Occlusion leaves out one primitive: the light that the ray is sent to (NO_PRIMITIVE = none).
 bool isTarget(uint primitive, uint target) { return kAreaLights && primitive == target; }
 
+// The same of boxes, cylinders and ellipsoids.
+bool isSolidTarget(uint primitive, uint target) { return kSolidLights && primitive == target; }
+
 LocalRay localRay(Ray ray, Layout l, uint primitive) {
   uint row = affineRow(l, primitive);
   return toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
@@ -41,6 +44,7 @@ float hitAffineAt(Ray ray, uint primitive, uint target, Layout l) {
   if (kDisks && primitive >= l.disk && primitive < l.cylinder) t = hitDisk(local, leftOut);
   if (kCylinders && primitive >= l.cylinder && primitive < l.ellipsoid) t = hitCylinder(local, self, ray.selfInside);
   if (kEllipsoids && primitive >= l.ellipsoid) t = hitEllipsoid(local, self, ray.selfInside);
+  if (isSolidTarget(primitive, target)) t = INFINITE;
   return t;
 }
 

@@ -61,6 +61,26 @@ float sampleIndependent(uint pixelSeed, uint index, uint dimension) {
   return unitFloat(hashUint(pixelSeed ^ (index * 0x9e3779b9u + dimension * 0x85ebca77u + 0xb5297a4du)));
 }
 
+// A permuted congruential generator over three integers: a step of an LCG each, then mixed by multiply-adds and one
+// xorshift. Jarzynski & Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020, pcg3d.
+uvec3 pcg3d(uvec3 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  v ^= v >> 16u;
+  v.x += v.y * v.z;
+  v.y += v.z * v.x;
+  v.z += v.x * v.y;
+  return v;
+}
+
+// As samplePair, but independent of every other sample: what stratification is measured against.
+SamplePair pcgPair(uint pixelSeed, uint index, uint dimension) {
+  uvec3 v = pcg3d(uvec3(pixelSeed, index, dimension));
+  return SamplePair(unitFloat(v.x), unitFloat(v.y));
+}
+
 uint pixelSeedOf(uint x, uint y, uint halfBuffer, uint seed) {
   return hashCombine(hashCombine(hashUint(x ^ (y << 16)), halfBuffer), seed);
 }

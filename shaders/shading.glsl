@@ -30,7 +30,8 @@ vec4 textureValue(uint ref, MeshPoint point, Footprint footprint) {
   return value;
 }
 
-void applyTextures(inout Shading s, vec4 refs, float normalScale, MeshPoint point, Footprint footprint) {
+// `glow`: that of the emission.
+void applyTextures(inout Shading s, vec4 refs, float normalScale, MeshPoint point, Footprint footprint, Footprint glow) {
   vec4 albedo = textureValue(floatBitsToUint(refs.x), point, footprint);
   vec4 facets = textureValue(floatBitsToUint(refs.y), point, footprint);
   uint normalRef = floatBitsToUint(refs.z);
@@ -38,7 +39,7 @@ void applyTextures(inout Shading s, vec4 refs, float normalScale, MeshPoint poin
   s.material.albedo *= albedo.xyz * point.color.xyz;
   s.material.alpha *= facets.y * facets.y;  // roughness squared
   s.material.metallic *= facets.z;
-  if (kEmission) s.material.emission *= textureValue(floatBitsToUint(refs.w), point, footprint).xyz;
+  if (kEmission) s.material.emission *= textureValue(floatBitsToUint(refs.w), point, glow).xyz;
   float x = (bumps.x * 2.0 - 1.0) * normalScale;
   float y = (bumps.y * 2.0 - 1.0) * normalScale;
   vec3 bent = point.tangent * x + point.bitangent * y + point.normal * (bumps.z * 2.0 - 1.0);
@@ -56,8 +57,9 @@ vec3 bentNormal(vec3 normal, vec3 facet, vec3 wo) {
   return height < lowest ? unitOr(wo + unitOr(raised, facet), facet) : normal;
 }
 
-// `width`: of the ray's cone where it hits.
-Shading shadingAt(Surface surface, Hit hit, vec3 d, float width, float jitter, Layout l) {
+// `width`: of the ray's cone where it hits. `rivalled`: light samples look for the same emission, in full resolution, and
+// can be weighed against this ray only if it sees the same.
+Shading shadingAt(Surface surface, Hit hit, vec3 d, float width, bool rivalled, float jitter, Layout l) {
   Shading s = Shading(fetchMaterial(hit.primitive), surface.normal);
   if (kMeshes && hit.primitive >= l.instance && hit.primitive < l.end) {
     uint row = params.materialRow + hit.primitive * MATERIAL_ROWS;
@@ -68,7 +70,9 @@ Shading shadingAt(Surface surface, Hit hit, vec3 d, float width, float jitter, L
     s.normal = point.normal;
     if (kTextures) {
       float slant = max(abs(dot(surface.normal, d)), 0.05);
-      applyTextures(s, refs, fetchRow(row + 7u).x, point, Footprint(width / slant, jitter));
+      Footprint footprint = Footprint(width / slant, jitter);
+      Footprint glow = Footprint(rivalled ? 0.0 : footprint.width, rivalled ? 0.0 : jitter);
+      applyTextures(s, refs, fetchRow(row + 7u).x, point, footprint, glow);
       s.normal = onOuterSide(s.normal, surface.normal);
     }
   }

@@ -57,7 +57,7 @@ void hitLargeSpheres(inout Hit hit, Ray ray, uint target, Layout l) {
 void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
   if (kBoxes)
     for (uint i = l.box; i < l.rect; ++i)
-      nearer(hit, hitBox(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
+      nearer(hit, isSolidTarget(i, target) ? INFINITE : hitBox(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
   if (kRects)
     for (uint i = l.rect; i < l.disk; ++i) 
       nearer(hit, hitRect(localRay(ray, l, i), ray.self == i || isTarget(i, target)), i);
@@ -66,10 +66,10 @@ void hitAffineShapes(inout Hit hit, Ray ray, uint target, Layout l) {
       nearer(hit, hitDisk(localRay(ray, l, i), ray.self == i || isTarget(i, target)), i);
   if (kCylinders)
     for (uint i = l.cylinder; i < l.ellipsoid; ++i)
-      nearer(hit, hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
+      nearer(hit, isSolidTarget(i, target) ? INFINITE : hitCylinder(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
   if (kEllipsoids)
     for (uint i = l.ellipsoid; i < l.instance; ++i)
-      nearer(hit, hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
+      nearer(hit, isSolidTarget(i, target) ? INFINITE : hitEllipsoid(localRay(ray, l, i), ray.self == i, ray.selfInside), i);
 }
 
 void hitOtherShapes(inout Hit hit, Ray ray, uint target, Layout l) {

@@ -17,6 +17,7 @@ namespace {
 struct MergeOptions {
   std::vector<std::filesystem::path> parts, pluginPath;
   std::filesystem::path output;
+  bool acceptNan = false;
 };
 
 void checkOutput(const plugins::PluginHost& host, const std::filesystem::path& path) {
@@ -52,7 +53,8 @@ int runMerge(const MergeOptions& options) {
     parts.push_back(readPart(path.string(), file.image, file.channelNames, file.metadata));
     names.push_back(path.string());
   }
-  const Part whole = merged(std::move(parts), std::move(names));
+  const Part whole = merged(std::move(parts), std::move(names),
+                            options.acceptNan ? DroppedSamples::accept : DroppedSamples::refuse);
   if (whole.origin.nan > 0)
     warn(std::to_string(whole.origin.nan) + " samples were not a number and were left out");
   save(host, whole, options.output);
@@ -68,6 +70,8 @@ void addMerge(CLI::App& app, Command& chosen) {
       ->add_option("parts", options->parts, "EXR files made by steradian render --samples A:B, or by merge")
       ->required();
   command->add_option("-o,--output", options->output, "EXR to write; it can be merged again")->required();
+  command->add_flag("--accept-nan", options->acceptNan,
+                    "Also parts that lack samples because they were not a number");
   command->add_option("--plugin-path", options->pluginPath, "Further folder with plugins; repeatable")
       ->allow_extra_args(false);
   command->footer(

@@ -49,14 +49,6 @@ StillResult trace(Renderer& renderer, const StillRequest& request, const Interru
                       [&] { return interruption.signal() != 0; }});
 }
 
-void warnOfFaults(const RenderStats& stats) {
-  if (stats.nanSamples > 0)
-    warn(std::to_string(stats.nanSamples) + " samples were not a number and were left out");
-  if (stats.faults > 0)
-    warn(std::to_string(stats.faults) + " samples ran out of their loop budget; the picture may be wrong");
-  if (const std::string tails = tailWarning(stats.error); !tails.empty()) warn(tails);
-}
-
 void printResult(const RenderOptions& options, const Scene& scene, const StillResult& result) {
   std::string what = text("%dx%d, %llu samples", scene.render.width, scene.render.height,
                           (unsigned long long)(result.stats.samples));
@@ -103,7 +95,7 @@ int runRender(const RenderOptions& options) {
     for (plugins::ImageLayer& layer : aovLayers(renderer, aovs, part))
       extras.layers.push_back(std::move(layer));
   saveStill(host, renderer, origin, options.outputs, prepared.exporterParameters, extras);
-  warnOfFaults(result.stats);
+  for (const std::string& doubt : doubtsAbout(result.stats)) warn(doubt);
   if (partial) warn("interrupted; what was finished is saved");
   printResult(options, scene, result);
 

@@ -47,6 +47,7 @@ std::string reportText(const RenderReport& report) {
       {"mraysPerSecond", report.traceSeconds > 0.0 ? rays / report.traceSeconds * 1e-6 : 0.0},
       {"error", errorOf(stats.error)},
       {"nan", stats.nanSamples},
+      {"clampedShare", stats.clampedShare ? Json(*stats.clampedShare) : Json(nullptr)},
       {"memory", {{"meshes", stats.meshBytes}, {"textures", stats.textureBytes}, {"sky", stats.skyBytes}}},
       {"variant",
        {{"specialized", stats.variant.specialized},

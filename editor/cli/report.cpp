@@ -12,11 +12,14 @@
 #include "editor/cli/arguments.hpp"
 #include "editor/cli/commands.hpp"
 #include "editor/cli/console.hpp"
+#include "editor/cli/image_compare.hpp"
 #include "editor/cli/report_progress.hpp"
 #include "editor/report/measure.hpp"
+#include "editor/tonemapping.hpp"
 #include "editor/version.hpp"
 #include "plugins/host/atomic_file.hpp"
 #include "plugins/host/plugin_host.hpp"
+#include "renderer/still.hpp"
 
 namespace steradian::cli {
 
@@ -69,40 +72,64 @@ std::string commandLine() {
   return out;
 }
 
-/// "cornell.svg"; where a scene was measured before, on another device, "cornell-2.svg".
-std::string plotName(const report::Report& report, std::size_t index) {
+/// "cornell"; where a scene was measured before, on another device, "cornell-2".
+std::string plotStem(const report::Report& report, std::size_t index) {
   fs::path project = report.scenes[index].project;
   if (!project.has_filename()) project = project.parent_path();
   const auto same = std::count_if(report.scenes.begin(), report.scenes.begin() + std::ptrdiff_t(index),
                                   [&](const auto& s) { return s.project == report.scenes[index].project; });
-  return project.stem().string() + (same > 0 ? "-" + std::to_string(same + 1) : "") + ".svg";
+  return project.stem().string() + (same > 0 ? "-" + std::to_string(same + 1) : "");
 }
 
-std::vector<std::string> plotNames(const report::Report& report) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < report.scenes.size(); ++i) names.push_back(plotName(report, i));
+std::vector<report::PlotNames> plotNames(const report::Report& report) {
+  std::vector<report::PlotNames> names;
+  for (std::size_t i = 0; i < report.scenes.size(); ++i) {
+    const std::string stem = plotStem(report, i);
+    names.push_back({stem + ".svg", stem + "-samples.svg"});
+  }
   return names;
 }
 
 /// After each scene, so that a report that is interrupted holds what was finished.
 void write(const report::Report& report, const fs::path& folder) {
-  const std::vector<std::string> plots = plotNames(report);
-  plugins::writeFileAtomically(folder / plots.back(), report::svgOf(report, report.scenes.back()));
+  const std::vector<report::PlotNames> plots = plotNames(report);
+  const report::SceneReport& scene = report.scenes.back();
+  plugins::writeFileAtomically(folder / plots.back().overSeconds,
+                               report::svgOf(scene, report::PlotOver::seconds));
+  plugins::writeFileAtomically(folder / plots.back().overSamples,
+                               report::svgOf(scene, report::PlotOver::samples));
   plugins::writeFileAtomically(folder / "report.json", report::jsonOf(report));
   plugins::writeFileAtomically(folder / "report.md", report::markdownOf(report, plots));
 }
 
+/// How far the picture of the same few samples is from that of the first device, where it is put into
+/// `first`.
+std::optional<double> relMseToFirstDevice(Renderer& renderer, const Scene& scene, Extent film, Image& first) {
+  renderer.setAblation({});  // of the scene before
+  renderer.allowSpecialization(true);
+  renderer.setScene(scene, cameraView(scene), film);
+  renderStill(renderer, {.spp = 16});
+  Image picture = renderer.radiance();
+  if (!first.pixels.empty()) return differenceOf(picture, first).relMse;
+  first = std::move(picture);
+  return std::nullopt;
+}
+
 report::SceneReport measured(const plugins::PluginHost& host, const fs::path& project, Renderer& renderer,
-                             const report::MeasureOptions& options, ReportProgress& progress, int index) {
+                             const report::MeasureOptions& options, ReportProgress& progress, int index,
+                             Image* first) {
   Scene scene = host.importScene(project).scene;
   for (const std::string& warning : loadAssets(scene, projectFolderOf(project))) warn(warning);
   const std::string name = scene.name.empty() ? project.filename().string() : scene.name;
   progress.beginScene(index, name);
+  std::optional<double> apart;
+  if (first) apart = relMseToFirstDevice(renderer, scene, options.film, *first);
   report::SceneReport out =
-      report::measureScene(renderer, scene, cameraView(scene), options,
+      report::measureScene(renderer, scene, cameraView(scene), tonemapperFor(host, scene.display), options,
                            [&](const std::string& doing, double part) { progress.show(doing, part); });
   out.name = name;
   out.project = project.string();
+  out.relMseToFirstDevice = apart;
   return out;
 }
 
@@ -114,22 +141,25 @@ int runReport(const ReportOptions& options) {
   const plugins::PluginHost host(plugins::defaultSearchPath(options.pluginPath));
   const fs::path folder = makeFolder(options.output);
   report::Report report{kVersion, commandLine(), {}};
+  std::vector<Image> firsts(projects.size());  // one picture of each project, by the first device
   {
     ReportProgress progress(int(projects.size() * options.devices.size()));
     for (const std::string& name : options.devices) {
       const auto device = openDevice({.device = name});
       measure.warmUpSeconds = describe(*device).type != "CPU" ? 0.7 : 0.0;
       Renderer renderer(device);
-      for (const fs::path& project : projects) {
+      for (std::size_t i = 0; i < projects.size(); ++i) {
         const int done = int(report.scenes.size());
-        report.scenes.push_back(measured(host, project, renderer, measure, progress, done));
+        Image* first = options.devices.size() > 1 ? &firsts[i] : nullptr;
+        report.scenes.push_back(measured(host, projects[i], renderer, measure, progress, done, first));
         report.scenes.back().device = describe(*device);
         write(report, folder);
       }
     }
   }
   for (const char* name : {"report.md", "report.json"}) std::puts((folder / name).c_str());
-  for (const std::string& plot : plotNames(report)) std::puts((folder / plot).c_str());
+  for (const report::PlotNames& plots : plotNames(report))
+    for (const std::string& plot : {plots.overSeconds, plots.overSamples}) std::puts((folder / plot).c_str());
   return 0;
 }
 

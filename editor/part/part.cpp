@@ -41,7 +41,11 @@ bool finite(const Image& image) {
   return std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return std::isfinite(v); });
 }
 
-void checkFinite(const Part& part, const std::string& name) {
+void checkWhole(const Part& part, const std::string& name, DroppedSamples dropped) {
+  if (part.origin.nan > 0 && dropped == DroppedSamples::refuse)
+    throw Error(ExitCode::badInput, name + ": its sums lack " + std::to_string(part.origin.nan) +
+                                        " samples that were not a number, which darkens their "
+                                        "pixels; --accept-nan merges it all the same");
   for (const auto& half : part.terms)
     for (const Image& term : half)
       if (!finite(term))
@@ -116,14 +120,14 @@ Part partOf(const FilmSums& sums, PartOrigin origin) {
   return part;
 }
 
-Part merged(std::vector<Part> parts, std::vector<std::string> names) {
+Part merged(std::vector<Part> parts, std::vector<std::string> names, DroppedSamples dropped) {
   if (parts.empty()) throw Error(ExitCode::usage, "there is nothing to merge");
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return parts[a].origin.begin < parts[b].origin.begin; });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    checkFinite(parts[order[i]], names[order[i]]);
+    checkWhole(parts[order[i]], names[order[i]], dropped);
     if (i == 0) continue;
     checkSame(parts[order[i - 1]], parts[order[i]], names[order[i - 1]], names[order[i]]);
     checkAdjacent(parts[order[i - 1]], parts[order[i]], names[order[i - 1]], names[order[i]]);

@@ -41,12 +41,16 @@ struct Part {
 /// not finite.
 Part partOf(const FilmSums& sums, PartOrigin origin);
 
+/// Whether a part may lack samples that were not a number and were left out of its sums.
+enum class DroppedSamples { refuse, accept };
+
 /// The sum of all parts, the same for any order and any grouping; of each layer the one from the part with
 /// the lowest samples. Rendering the same samples at once gives the same mean, but for about one value in a
 /// million that differs in its last bit: a film keeps its sums to 2^-48, here nothing is rounded. Throws
-/// Error(badInput), naming the parts by `names`, when they are of other scenes, overlap, leave a gap, or hold
-/// a sum that is not finite.
-Part merged(std::vector<Part> parts, std::vector<std::string> names);
+/// Error(badInput), naming the parts by `names`, when they are of other scenes, overlap, leave a gap, hold a
+/// sum that is not finite, or lack samples.
+Part merged(std::vector<Part> parts, std::vector<std::string> names,
+            DroppedSamples dropped = DroppedSamples::refuse);
 
 /// Mean over all samples, rounded once.
 Image meanOf(const Part& part);

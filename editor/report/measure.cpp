@@ -18,7 +18,7 @@ constexpr std::uint64_t kFewestSamples = 8;
 constexpr std::uint32_t kReferenceSeed = 0x5eed0001u;  // far from the seeds of the runs
 
 struct Reference {
-  Image picture;
+  Image picture, shown;            // scene-linear, and as the scene displays it
   double mse = 0.0, relMse = 0.0;  // of its own error
 };
 
@@ -108,7 +108,8 @@ class Measurement {
     start(metered, scene_.render.seed ^ kReferenceSeed);
     traceTo(samples, "reference");
     const ErrorEstimate error = renderer_.measureError();
-    return {renderer_.radiance(), error.rmse * error.rmse, error.relRmse * error.relRmse};
+    return {renderer_.radiance(), renderer_.displayed(), error.rmse * error.rmse,
+            error.relRmse * error.relRmse};
   }
 
   Curve curve(const Variant& variant, std::uint64_t samples, const Reference& reference) {
@@ -137,9 +138,11 @@ class Measurement {
     const ErrorEstimate estimate = renderer_.measureError();
     const RenderStats& stats = renderer_.stats();
     const cli::ImageDifference d = cli::differenceOf(renderer_.radiance(), reference.picture);
+    constexpr cli::Encodings kDisplay{cli::Encoding::display, cli::Encoding::display};
+    const cli::ImageDifference shown = cli::differenceOf(renderer_.displayed(), reference.shown, kDisplay);
     return {stats.samples,         stats.traceSeconds,
             d.mse - reference.mse, d.relMse - reference.relMse,
-            d.smapeDisplay,        estimate.valid ? estimate.rmse : 0.0};
+            shown.smapeDisplay,    estimate.valid ? estimate.rmse : 0.0};
   }
 
   Renderer& renderer_;
@@ -162,7 +165,10 @@ std::uint64_t affordableSamples(const MeasureOptions& options, double secondsPer
 }
 
 SceneReport measureScene(Renderer& renderer, const Scene& scene, const CameraView& view,
-                         const MeasureOptions& options, const MeasureProgress& progress) {
+                         const Tonemapper& tonemapper, const MeasureOptions& options,
+                         const MeasureProgress& progress) {
+  renderer.setTonemapper(tonemapper);
+  renderer.setDisplay(scene.display);
   return Measurement(renderer, scene, view, options, progress).run();
 }
 

@@ -27,9 +27,11 @@ std::uint64_t affordableSamples(const MeasureOptions& options, double secondsPer
 /// `doing` is a few words for people, `fraction` 0..1 of this scene.
 using MeasureProgress = std::function<void(const std::string& doing, double fraction)>;
 
-/// A variant that changes nothing in this scene is left out. On the renderer's thread; the renderer keeps its
-/// last variant. Throws what Renderer throws.
+/// A variant that changes nothing in this scene is left out. SMAPE is of the picture as the scene displays
+/// it, through `tonemapper`. On the renderer's thread; the renderer keeps its last variant. Throws what
+/// Renderer throws.
 SceneReport measureScene(Renderer& renderer, const Scene& scene, const CameraView& view,
-                         const MeasureOptions& options, const MeasureProgress& progress);
+                         const Tonemapper& tonemapper, const MeasureOptions& options,
+                         const MeasureProgress& progress);
 
 }  // namespace steradian::report

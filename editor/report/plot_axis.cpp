@@ -46,6 +46,12 @@ std::string percentLabel(double fraction) {
   return withUnit(fraction * 100.0, "%");
 }
 
+std::string countLabel(double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", count);
+  return text;
+}
+
 std::vector<double> spreadApart(const std::vector<double>& wanted, double gap, double least, double most) {
   std::vector<std::size_t> order(wanted.size());
   std::iota(order.begin(), order.end(), 0);

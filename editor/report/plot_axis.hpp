@@ -31,6 +31,7 @@ class LogAxis {
 /// "1 ms", "0.5 s", "20 s" and "0.5 %", "10 %": one unit for the whole axis would need too many zeros.
 std::string secondsLabel(double seconds);
 std::string percentLabel(double fraction);
+std::string countLabel(double count);  // "2000"
 
 /// Moves positions apart so that neighbours are `gap` or more, with the smallest greatest shift kept small;
 /// stays within [least, most] where there is room. Returns them in the order given.

@@ -46,8 +46,9 @@ struct SceneReport {
   Extent film;
   int runs = 0;
   std::uint64_t referenceSamples = 0;
-  double referenceRelRmse = 0.0;  // its own error, by its half-buffers
-  std::vector<Curve> curves;      // the first is the renderer as it is
+  double referenceRelRmse = 0.0;              // its own error, by its half-buffers
+  std::optional<double> relMseToFirstDevice;  // of the same few samples, which only rounding tells apart
+  std::vector<Curve> curves;                  // the first is the renderer as it is
 };
 
 struct Report {
@@ -59,11 +60,17 @@ struct Report {
 Curve curveOf(std::string id, std::string label, const std::vector<std::vector<Sample>>& runs);
 
 std::string jsonOf(const Report& report);
-/// A table for each scene on each device, with its plot; `plotNames` are the files beside it, one for each
+/// The files of a scene's two plots.
+struct PlotNames {
+  std::string overSeconds, overSamples;
+};
+/// A table for each scene on each device, with its plots; `plotNames` are the files beside it, for each
 /// scene.
-std::string markdownOf(const Report& report, const std::vector<std::string>& plotNames);
-/// Relative RMSE against seconds, both in logarithms: a line for each curve, its name at its end.
-std::string svgOf(const Report& report, const SceneReport& scene);
+std::string markdownOf(const Report& report, const std::vector<PlotNames>& plotNames);
+enum class PlotOver { seconds, samples };
+/// Relative RMSE against seconds or samples, both in logarithms: a line for each curve, its name at its end.
+/// Over samples, a variant that differs in speed alone is left out: its curve is the first.
+std::string svgOf(const SceneReport& scene, PlotOver over);
 
 /// "12 ms", "3.4 s", "2 min 05 s", for people.
 std::string shortDuration(double seconds);

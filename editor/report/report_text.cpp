@@ -47,6 +47,7 @@ Json jsonOf(const Curve& curve) {
 Json jsonOf(const SceneReport& scene) {
   Json curves = Json::array();
   for (const Curve& curve : scene.curves) curves.push_back(jsonOf(curve));
+  const auto& apart = scene.relMseToFirstDevice;
   return {{"name", scene.name},
           {"project", scene.project},
           {"device", scene.device.name},
@@ -54,6 +55,7 @@ Json jsonOf(const SceneReport& scene) {
           {"width", scene.film.width},
           {"height", scene.film.height},
           {"runs", scene.runs},
+          {"relMseToFirstDevice", apart ? Json(*apart) : Json(nullptr)},
           {"reference", {{"samples", scene.referenceSamples}, {"relRmse", scene.referenceRelRmse}}},
           {"variants", curves}};
 }
@@ -88,7 +90,8 @@ constexpr const char* kHead =
 
 constexpr const char* kFoot =
     "Medians over the runs, of tracing alone, on a warm pipeline. RMSE is scene-linear, relRMSE divides each "
-    "square by reference^2 + 0.01, SMAPE is of the sRGB picture. The reference has another seed; its own "
+    "square by reference^2 + 0.01, SMAPE is of the picture as the scene displays it: exposure, tonemapper "
+    "and transfer. The reference has another seed; its own "
     "error, known from its half-buffers, is taken off. Slope: of log relRMSE over log samples, last four "
     "doublings. ~: extrapolated along it. Efficiency: 1 / (MSE x seconds). Meter: RMSE estimated live / "
     "true.\n";
@@ -102,17 +105,20 @@ std::string jsonOf(const Report& report) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string markdownOf(const Report& report, const std::vector<std::string>& plotNames) {
+std::string markdownOf(const Report& report, const std::vector<PlotNames>& plotNames) {
   std::string out =
       "# Error against time\n\nSteradian " + report.version + "\n\n    " + report.command + "\n";
   for (std::size_t i = 0; i < report.scenes.size(); ++i) {
     const SceneReport& scene = report.scenes[i];
-    out += "\n## " + scene.name + "\n\n![Error against time](" + plotNames[i] + ")\n\n" + scene.device.name +
-           ", " + scene.device.driver +
-           cli::text(": %dx%d, %d runs, reference %llu samples (error %.2g %%)\n\n", scene.film.width,
+    out += "\n## " + scene.name + "\n\n![Error against time](" + plotNames[i].overSeconds +
+           ")\n\n![Error against samples](" + plotNames[i].overSamples + ")\n\n" + scene.device.name + ", " +
+           scene.device.driver +
+           cli::text(": %dx%d, %d runs, reference %llu samples (error %.2g %%)", scene.film.width,
                      scene.film.height, scene.runs, (unsigned long long)(scene.referenceSamples),
-                     scene.referenceRelRmse * 100.0) +
-           kHead;
+                     scene.referenceRelRmse * 100.0);
+    if (scene.relMseToFirstDevice)
+      out += cli::text("; the same samples on the first device: relMSE %.2g", *scene.relMseToFirstDevice);
+    out += std::string("\n\n") + kHead;
     for (const Curve& curve : scene.curves) out += rowOf(curve);
   }
   return out + "\n" + kFoot;

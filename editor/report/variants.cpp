@@ -20,7 +20,7 @@ std::span<const Variant> ablations() {
        .label = "light sampling alone",
        .ablation = [](Ablation& a) { a.lightHits = false; }},
       {.id = "independent-samples",
-       .label = "independent samples",
+       .label = "PCG instead of Owen-Sobol",
        .ablation = [](Ablation& a) { a.owenSobol = false; }},
       {.id = "uniform-lights",
        .label = "lights chosen uniformly",

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editor/ui/status_bar.hpp"
+#include "editor/ui/numbers.hpp"
 #include "editor/ui/style.hpp"
 #include "editor/ui/widgets.hpp"
 

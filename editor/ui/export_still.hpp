@@ -14,6 +14,8 @@ class ExportDialog {
   /// Shows the dialog from the next draw() on, with the project's size and a name beside the project.
   void open(const Scene& scene, const std::filesystem::path& project);
   void setPath(const std::filesystem::path& path);
+  /// Relative RMSE that a picture is to reach: as chosen here, else 1 %.
+  double errorTarget() const { return settings_.byError ? 0.01 * settings_.errorPercent : 0.01; }
 
   struct Answer {
     bool browse = false;  // the person wants to choose the file; the dialog waits for setPath()

@@ -6,8 +6,10 @@
 
 #include "editor/ui/application.hpp"
 #include "editor/ui/loading_view.hpp"
+#include "editor/ui/numbers.hpp"
 #include "editor/ui/shortcuts.hpp"
 #include "editor/ui/status_bar.hpp"
+#include "renderer/convergence.hpp"
 
 namespace steradian::ui {
 
@@ -128,7 +130,9 @@ void Application::drawPanels(Ui& ui) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(2)});
   beginPanel("status", layout_.status);
-  statusBar(ui, {description_, live_.stats(), paused_, resting()});
+  const Goal goal{export_.errorTarget(), live_.measuredAt(), live_.secondsPerSample(),
+                  std::uint64_t(options_.sampleLimit)};
+  statusBar(ui, {description_, live_.stats(), goal, paused_, resting()});
   ImGui::End();
   ImGui::PopStyleVar();
 }
@@ -203,6 +207,7 @@ void Application::advanceExport() {
       job_->write(plugins_, description_.name);
       messages_.note("Wrote " + job_->settings().path.string() + " with " + countText(job_->stats().samples) +
                      " samples in " + duration(job_->seconds()) + ".");
+      for (const std::string& doubt : doubtsAbout(job_->stats())) messages_.warning(doubt);
     }
   } catch (const std::exception& error) {
     messages_.error(error.what());

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "editor/ui/inspector.hpp"
-#include "editor/ui/status_bar.hpp"
+#include "editor/ui/numbers.hpp"
 #include "editor/ui/widgets.hpp"
 
 namespace steradian::ui {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "editor/ui/inspector.hpp"
-#include "editor/ui/status_bar.hpp"
+#include "editor/ui/numbers.hpp"
 
 namespace steradian::ui {
 

@@ -29,10 +29,15 @@ class LiveRender {
   Renderer& renderer() { return renderer_; }
   const RenderStats& stats() const { return renderer_.stats(); }
   Extent film() const { return film_; }
+  /// The sample count that stats().error was measured at.
+  std::uint64_t measuredAt() const { return measuredAt_; }
+  /// Wall time, frames included, since the picture started over; 0 = not known yet.
+  double secondsPerSample() const;
 
  private:
   void showDisplay(const DisplaySettings& display);
-  void measureWhenDue();
+  void keepPace();
+  void measureWhenDue(bool last);
 
   Renderer renderer_;
   const plugins::PluginHost& plugins_;
@@ -41,8 +46,10 @@ class LiveRender {
   CameraView view_;
   Extent film_;
   std::optional<DisplaySettings> display_;
-  std::uint64_t measuredAt_ = 0;
-  std::chrono::steady_clock::time_point measuredTime_{};
+  std::uint64_t measuredAt_ = 0, tailsAt_ = 0;
+  bool measuringTails_ = false;
+  double seconds_ = 0.0;  // of work on this picture
+  std::chrono::steady_clock::time_point measuredTime_{}, steppedTime_{};
   bool lost_ = false;  // the device is gone: the document can still be saved
 };
 

@@ -4,6 +4,7 @@
 #include "editor/ui/shortcuts.hpp"
 
 #include <GLFW/glfw3.h>
+#include <imgui_internal.h>
 
 #include <cctype>
 #include <optional>
@@ -42,15 +43,26 @@ bool matches(const KeyPress& press, const Chord& chord) {
   return printable && letterOf(press.key) == chord.key;
 }
 
+std::optional<Command> commandOf(const KeyPress& press) {
+  for (const CommandInfo& info : commandTable())
+    if (matches(press, info.chord)) return info.command;
+  if (matches(press, {"Y", true})) return Command::redo;  // the other habit for redo
+  return std::nullopt;
+}
+
 }  // namespace
 
 void shortcuts(Ui& ui, const std::vector<KeyPress>& presses) {
   if (ImGui::GetIO().WantTextInput) return;
-  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (ImGui::GetTopMostPopupModal()) return;  // a dialog answers for itself
   for (const KeyPress& press : presses) {
-    for (const CommandInfo& info : commandTable())
-      if (matches(press, info.chord)) ui.ask(info.command);
-    if (matches(press, {"Y", true})) ui.ask(Command::redo);  // the other habit for redo
+    const std::optional<Command> command = commandOf(press);
+    if (!command) continue;
+    // Menus give way to any shortcut; Escape means them alone. All at once: the mouse would open the inner
+    // one again.
+    const bool menus = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+    if (menus) ImGui::ClosePopupToLevel(0, true);
+    if (!menus || !matches(press, {"Escape"})) ui.ask(*command);
   }
 }
 

@@ -3,10 +3,10 @@
 #include "editor/ui/still_job.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "editor/still_file.hpp"
+#include "renderer/convergence.hpp"
 #include "renderer/still.hpp"
 
 namespace steradian::ui {
@@ -66,9 +66,7 @@ double StillJob::fraction() const {
   if (!settings_.byError) return std::clamp(samples / std::max(settings_.samples, 1), 0.0, 1.0);
   const ErrorEstimate& error = stats().error;
   if (!error.valid || !(error.relRmse > 0.0)) return 0.0;
-  // Under Owen-scrambled Sobol the error falls a little faster than samples^-1/2; the pessimistic rate is
-  // shown.
-  const double needed = double(measuredAt_) * std::pow(error.relRmse / (0.01 * settings_.errorPercent), 2.0);
+  const double needed = samplesNeeded(measuredAt_, error, 0.01 * settings_.errorPercent);
   return std::clamp(samples / std::max(needed, 1.0), 0.0, 1.0);
 }
 
@@ -79,7 +77,8 @@ std::optional<double> StillJob::remainingSeconds() const {
 }
 
 void StillJob::write(const plugins::PluginHost& plugins, const std::string& device) {
-  if (stats().samples >= 2) renderer_.measureError();
+  renderer_.measureError();
+  renderer_.measureTails();
   const bool partial = !goodEnough() && fraction() < 1.0;
   saveStill(plugins, renderer_, {sceneName_, device, seed_, 0, stats(), partial}, {settings_.path});
 }

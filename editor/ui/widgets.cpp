@@ -15,6 +15,7 @@ namespace steradian::ui {
 namespace {
 
 constexpr float kNameShare = 0.385f;  // of the row's width
+constexpr float kMostNameShare = 0.6f;
 constexpr float kTooltipDelay = 0.45f;
 
 std::string formatOf(const NumberField& field) {
@@ -41,7 +42,19 @@ ImGuiSliderFlags flagsOf(const NumberField& field) {
          (field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
-bool drawNumber(const NumberField& field, const char* id, double& value, const std::string& format) {
+/// What rounds to zero is shown without a sign: the format then holds the figure itself.
+std::string unsignedZero(const NumberField& field, double value, const std::string& format) {
+  const bool negativeZero =
+      value <= 0.0 && std::signbit(value) && value > -0.5 * std::pow(10.0, -field.decimals);
+  if (!negativeZero) return format;
+  const std::string figure = "%." + std::to_string(field.decimals) + "f";
+  char zero[32];
+  std::snprintf(zero, sizeof zero, figure.c_str(), 0.0);
+  return zero + format.substr(figure.size());
+}
+
+bool drawNumber(const NumberField& field, const char* id, double& value, const std::string& plainFormat) {
+  const std::string format = unsignedZero(field, value, plainFormat);
   const ImGuiDataType type = ImGuiDataType_Double;
   if (field.slider)
     return ImGui::SliderScalar(id, type, &value, &field.minimum, &field.maximum, format.c_str(),
@@ -109,12 +122,15 @@ void Fields::begin(const char* name, const char* help) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(172, 176, 183, 255));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::PushClipRect(at, {at.x + width * kNameShare - ui_.px(6), at.y + ImGui::GetFrameHeight()}, true);
+  // A long name moves its value aside rather than being cut.
+  const float gap = ui_.px(6), wanted = ImGui::CalcTextSize(name).x + gap;
+  const float valueAt = std::max(width * kNameShare, std::min(wanted, width * kMostNameShare));
+  ImGui::PushClipRect(at, {at.x + valueAt - gap, at.y + ImGui::GetFrameHeight()}, true);
   ImGui::TextUnformatted(name);
   ImGui::PopClipRect();
   ImGui::PopStyleColor();
   if (help && ImGui::IsItemHovered()) tooltip(help);
-  ImGui::SameLine(left + width * kNameShare);
+  ImGui::SameLine(left + valueAt);
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::PushID(name);
 }

@@ -17,7 +17,7 @@ class Invocation : public GlslBuiltins<float> {
 
   /// `constants`: specialization constants by their id; the rest have their defaults.
   explicit Invocation(std::span<const std::uint32_t> constants)
-      : GlslBuiltins<float>(0u), constants_(constants) {}
+      : GlslBuiltins<float>(Kinds{}), constants_(constants) {}
 
   static constexpr glm::uvec3 gl_WorkGroupSize{8, 8, 1};  // as the shader's layout says
   glm::uvec3 gl_NumWorkGroups{0}, gl_WorkGroupID{0}, gl_LocalInvocationID{0}, gl_GlobalInvocationID{0};

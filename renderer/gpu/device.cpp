@@ -51,7 +51,10 @@ Device::Device(const DeviceRequest& request)
   passLayout_ = std::make_unique<PassLayout>(*this);
 }
 
-Device::~Device() = default;
+Device::~Device() {
+  // Destroyed, a driver whose work never ends would wait for it here, and no one would read what was wrong.
+  if (lost_) new vk::raii::Device(std::move(device_));
+}
 
 void Device::createDevice(const QueuePlan& plan) {
   std::set<std::uint32_t> families = {plan.compute, plan.graphics};

@@ -36,6 +36,9 @@ std::vector<gpu::Specialization> kindsOf(const GpuScene& scene) {
   std::vector<gpu::Specialization> kinds;
   for (std::uint32_t i = 0; i < gpu::FEATURE_COUNT; ++i) kinds.push_back({i, (scene.features >> i) & 1u});
   kinds.push_back({gpu::CONSTANT_SHAPE_HIERARCHY, scene.shapeHierarchy()});
+  kinds.push_back({gpu::CONSTANT_MESH_LIGHTS, scene.meshLights});
+  for (std::uint32_t i = 0; i < gpu::SOLID_LIGHT_KINDS; ++i)
+    kinds.push_back({gpu::CONSTANT_SOLID_LIGHTS + i, (scene.solidLights >> i) & 1u});
   return kinds;
 }
 

@@ -75,6 +75,14 @@ glm::vec<3, Real> operator->*(const glm::vec<N, Real>& v, SwizzleXyz) {
   return glm::vec<3, Real>(v);
 }
 
+/// What a scene holds, as its special pipeline has it compiled in; all features and none of the others is
+/// what fits any scene without glowing meshes and solids.
+struct Kinds {
+  std::uint32_t features = ~0u;  // FEATURE_*: bit i is specialization constant i, as on the device
+  bool shapeHierarchy = false, meshLights = false;
+  std::uint32_t solidLights = 0;  // bit i: CONSTANT_SOLID_LIGHTS + i
+};
+
 /// Types and bindings of one build; `Shaders` adds the functions. Rows stay float, as they are on the device.
 template <class Real>
 class GlslBuiltins {
@@ -84,6 +92,7 @@ class GlslBuiltins {
   using vec4 = glm::vec<4, Real>;
   using mat3 = glm::mat<3, 3, Real>;
   using uvec2 = glm::uvec2;
+  using uvec3 = glm::uvec3;
   using uint = std::uint32_t;
   using samplerBuffer = std::span<const glm::vec4>;
   using usamplerBuffer = std::span<const std::uint32_t>;
@@ -101,14 +110,15 @@ class GlslBuiltins {
   usamplerBuffer texels;
 
  protected:
-  /// `features`: bit i is specialization constant i, as on the device.
-  explicit GlslBuiltins(std::uint32_t features, bool shapeHierarchy = false)
-      : features_(features), shapeHierarchy_(shapeHierarchy) {}
+  explicit GlslBuiltins(const Kinds& kinds) : kinds_(kinds) {}
 
   template <class T>
   T specialized(std::uint32_t id, T generic) const {
-    if (id == gpu::CONSTANT_SHAPE_HIERARCHY) return T(shapeHierarchy_);
-    return id < gpu::FEATURE_COUNT ? T((features_ >> id) & 1u) : generic;
+    if (id == gpu::CONSTANT_SHAPE_HIERARCHY) return T(kinds_.shapeHierarchy);
+    if (id == gpu::CONSTANT_MESH_LIGHTS) return T(kinds_.meshLights);
+    if (id >= gpu::CONSTANT_SOLID_LIGHTS && id < gpu::CONSTANT_SOLID_LIGHTS + gpu::SOLID_LIGHT_KINDS)
+      return T((kinds_.solidLights >> (id - gpu::CONSTANT_SOLID_LIGHTS)) & 1u);
+    return id < gpu::FEATURE_COUNT ? T((kinds_.features >> id) & 1u) : generic;
   }
   /// Beyond the end 0, as a robust device answers.
   static vec4 texelFetch(samplerBuffer rows, int at) {
@@ -119,8 +129,7 @@ class GlslBuiltins {
   }
 
  private:
-  std::uint32_t features_;
-  bool shapeHierarchy_;
+  Kinds kinds_;
 };
 
 }  // namespace steradian::reference

@@ -104,7 +104,9 @@ class Disturbance {
 
 struct Judge::Impl {
   explicit Impl(const TracedScene& traced)
-      : traced(traced), shaders(traced.scene.features, traced.scene.shapeHierarchy()) {
+      : traced(traced),
+        shaders(Kinds{traced.scene.features, traced.scene.shapeHierarchy(), traced.scene.meshLights,
+                      traced.scene.solidLights}) {
     shaders.sceneRows = traced.scene.rows;
     shaders.tableRows = traced.tables;
     shaders.meshRows = traced.meshes;

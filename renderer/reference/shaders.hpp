@@ -17,6 +17,7 @@ class Shaders : public GlslBuiltins<Real> {
   using typename GlslBuiltins<Real>::vec4;
   using typename GlslBuiltins<Real>::mat3;
   using typename GlslBuiltins<Real>::uvec2;
+  using typename GlslBuiltins<Real>::uvec3;
   using typename GlslBuiltins<Real>::uint;
   using GlslBuiltins<Real>::params;
   using GlslBuiltins<Real>::sceneRows;
@@ -24,9 +25,8 @@ class Shaders : public GlslBuiltins<Real> {
   using GlslBuiltins<Real>::tableRows;
   using GlslBuiltins<Real>::texels;
 
-  /// `features`: FEATURE_* bits of the variant to be followed; `shapeHierarchy` as in the scene.
-  explicit Shaders(std::uint32_t features = ~0u, bool shapeHierarchy = false)
-      : GlslBuiltins<Real>(features, shapeHierarchy) {}
+  /// `kinds`: those of the variant to be followed.
+  explicit Shaders(const Kinds& kinds = {}) : GlslBuiltins<Real>(kinds) {}
 
   std::vector<vec4> recordRows;  // what path.glsl writes
 

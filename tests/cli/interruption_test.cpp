@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "process.hpp"
@@ -39,4 +40,30 @@ TEST(Interruption, leaves_a_partial_file_and_the_exit_code_of_the_signal) {
     const Outcome info = sandbox.run({"info", sandbox.path("a.exr")});
     EXPECT_NE(info.out.find("steradian:partial: yes"), std::string::npos) << info.out << info.err;
   }
+}
+
+TEST(Interruption, a_part_that_was_interrupted_and_resumed_gives_the_same_bytes) {
+  const Sandbox sandbox;
+  const auto part = [&](const std::string& samples, const std::string& name) {
+    return Arguments{"render",    project("hello"), "--size", "32x24",
+                     "--samples", samples,          "-o",     sandbox.path(name)};
+  };
+  const pid_t child = sandbox.start(part("0:1000000", "begun.exr"));
+  const bool running = waitForProgress(sandbox);
+  kill(child, SIGINT);
+  ASSERT_EQ(sandbox.wait(child).exitCode, 130);
+  ASSERT_TRUE(running);
+  const auto info = nlohmann::json::parse(sandbox.run({"info", sandbox.path("begun.exr"), "--json"}).out);
+  const int done = std::stoi(info["metadata"]["steradian:samples"].get<std::string>());
+  const std::string end = std::to_string(done + 8);
+  const std::pair<std::string, std::string> others[] = {
+      {std::to_string(done) + ":" + end, "resumed.exr"}, {"0:3", "a.exr"}, {"3:" + end, "b.exr"}};
+  for (const auto& [samples, name] : others) ASSERT_EQ(sandbox.run(part(samples, name)).exitCode, 0);
+  const auto merged = [&](const std::string& first, const std::string& second) {
+    const Outcome outcome =
+        sandbox.run({"merge", sandbox.path(first), sandbox.path(second), "-o", sandbox.path("merged.exr")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return contents(sandbox.path("merged.exr"));
+  };
+  EXPECT_EQ(merged("begun.exr", "resumed.exr"), merged("a.exr", "b.exr"));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "process.hpp"
@@ -91,6 +92,26 @@ TEST(Merge, refuses_overlaps_gaps_other_scenes_and_pictures_that_are_no_parts) {
   EXPECT_EQ(merge(sandbox, {"a.exr"}, "out.png").exitCode, 2);
 }
 
+TEST(Merge, refuses_a_part_that_lacks_samples_unless_told_to_accept_it) {
+  const Sandbox sandbox;
+  renderPart(sandbox, "0:4", "a.exr");
+  renderPart(sandbox, "4:8", "b.exr");
+  std::string bytes = contents(sandbox.path("b.exr"));
+  const std::string count("steradian:nan\0string\0\1\0\0\0",
+                          25);  // an attribute of OpenEXR: then its one digit
+  ASSERT_NE(bytes.find(count), std::string::npos);
+  bytes[bytes.find(count) + count.size()] = '3';
+  std::ofstream(sandbox.path("b.exr"), std::ios::binary) << bytes;
+  const Outcome refused = merge(sandbox, {"b.exr", "a.exr"}, "out.exr");
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_NE(refused.err.find("b.exr: its sums lack 3 samples"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(sandbox.path("out.exr")));
+  const Outcome accepted = sandbox.run(
+      {"merge", "--accept-nan", sandbox.path("a.exr"), sandbox.path("b.exr"), "-o", sandbox.path("out.exr")});
+  EXPECT_EQ(accepted.exitCode, 0) << accepted.err;
+  EXPECT_NE(accepted.err.find("3 samples were not a number"), std::string::npos) << accepted.err;
+}
+
 TEST(Compare, fails_above_a_limit_and_only_there) {
   const Sandbox sandbox;
   renderPart(sandbox, "0:2", "a.exr");
@@ -143,6 +164,9 @@ TEST(ReportCommand, measures_every_scene_on_every_device) {
   ASSERT_EQ(scenes.size(), 2u);
   EXPECT_EQ(scenes[0]["device"], scenes[1]["device"]);
   EXPECT_FALSE(scenes[0]["device"].get<std::string>().empty());
+  EXPECT_TRUE(scenes[0]["relMseToFirstDevice"].is_null());
+  EXPECT_EQ(scenes[1]["relMseToFirstDevice"], 0.0) << "the same device gives the same bytes";
+  EXPECT_NE(contents(sandbox.path("out/report.md")).find("on the first device: relMSE 0"), std::string::npos);
   EXPECT_NE(contents(sandbox.path("out/hello-2.svg")).find("</svg>"), std::string::npos);
   EXPECT_EQ(sandbox.run({"report", project("hello"), "--device", "no such"}).exitCode, 4);
 }

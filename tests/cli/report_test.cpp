@@ -20,9 +20,10 @@ TEST(Report, has_exactly_the_documented_keys) {
     for (const auto& [name, value] : object.items()) names.insert(name);
     return names;
   };
-  EXPECT_EQ(keys(json), (std::set<std::string>{"device", "driver", "queues", "width", "height", "spp",
-                                               "samples", "seconds", "rays", "memory", "mraysPerSecond",
-                                               "error", "nan", "variant", "validationMessages"}));
+  EXPECT_EQ(keys(json),
+            (std::set<std::string>{"device", "driver", "queues", "width", "height", "spp", "samples",
+                                   "seconds", "rays", "memory", "mraysPerSecond", "error", "nan",
+                                   "clampedShare", "variant", "validationMessages"}));
   EXPECT_EQ(keys(json["seconds"]),
             (std::set<std::string>{"load", "compile", "firstPixel", "trace", "total"}));
   EXPECT_EQ(keys(json["rays"]), (std::set<std::string>{"closest", "shadow"}));

@@ -23,5 +23,8 @@ std::vector<AgreementCase> lightCases();
 std::vector<AgreementCase> materialCases();
 std::vector<AgreementCase> glassCases();
 std::vector<AgreementCase> cameraCases();
+std::vector<AgreementCase> meshCases();
+std::vector<AgreementCase> textureCases();
+std::vector<AgreementCase> lampCases();
 
 }  // namespace steradian

@@ -55,12 +55,20 @@ double Bsdf::compensation(double f0, const AlbedoTable* table) const {
   return 1.0 + f0 * (1.0 - E) / E;
 }
 
+double Bsdf::specularGain() const {
+  const AlbedoTable* table = finish_.base.get();
+  if (!table || m_.transmission == 0.0f) return compensation(f0_, table);
+  const AlbedoTable::Row row = table->at(wo_.z);
+  if (!solid_) return 1.0 / row.white;
+  return 1.0 / (etaO_ < etaT_ ? row.exactOutside + row.passedOutside : row.exactInside + row.passedInside);
+}
+
 double Bsdf::diffuseShare(double c) const {
   if (!finish_.base) return 1.0 - dielectric(c);
   const AlbedoTable::Row row = finish_.base->at(wo_.z);
   const double schlickAlbedo = f0_ * (row.white - row.grazing) + m_.specular * row.grazing;
   const double exactAlbedo = etaO_ < etaT_ ? row.exactOutside : row.exactInside;
-  return 1.0 - (m_.transmission > 0.0f ? exactAlbedo : schlickAlbedo) * compensation(f0_, finish_.base.get());
+  return 1.0 - (m_.transmission > 0.0f ? exactAlbedo : schlickAlbedo) * specularGain();
 }
 
 double Bsdf::belowCoat() const {
@@ -81,7 +89,7 @@ dvec3 Bsdf::reflect(const dvec3& wi) const {
   const double lobe = microfacets(alpha_, wo_, wi, h);
   const AlbedoTable* table = finish_.base.get();
   const dvec3 diffuse = albedo_ * ((1.0 - m_.transmission) * diffuseShare(c) / std::numbers::pi);
-  const dvec3 plastic = diffuse + lobe * dielectric(c) * compensation(f0_, table);
+  const dvec3 plastic = diffuse + lobe * dielectric(c) * specularGain();
   dvec3 metallic = lobe * metal(c);
   for (int i = 0; i < 3; ++i) metallic[i] *= compensation(albedo_[i], table);
   const double coat = microfacets(coatAlpha_, wo_, wi, h) * schlick(kCoatF0, 1.0, c) *
@@ -91,7 +99,7 @@ dvec3 Bsdf::reflect(const dvec3& wi) const {
 
 // Walter et al. 2007, eqs. 16 and 21: i = where the light comes from, o = the eye; separable Smith terms.
 dvec3 Bsdf::transmit(const dvec3& wi) const {
-  const dvec3 tint = albedo_ * (belowCoat() * m_.transmission * (1.0 - m_.metallic));
+  const dvec3 tint = albedo_ * (belowCoat() * m_.transmission * (1.0 - m_.metallic) * specularGain());
   if (!solid_) {
     const dvec3 mirrored(wi.x, wi.y, -wi.z), h = glm::normalize(wo_ + mirrored);
     return tint * (microfacets(alpha_, wo_, mirrored, h) * (1.0 - dielectric(glm::dot(wo_, h))));

@@ -18,10 +18,11 @@ struct DeltaLobe {
 /// glTF 2.0 appendix B with KHR_materials_specular, metallic mixing a dielectric and a metal. With albedo
 /// tables the lobes are multiplied by 1 + F0 (1 - E) / E (Turquin 2019), and what lies below a lobe loses its
 /// albedo at wo; without them it loses the reflectance at the half vector (coat: at the normal). Choices made
-/// here: glass (transmission > 0) reflects by the exact Fresnel law and ignores the specular weight; only its
-/// reflection is compensated; every crossing of a tinted surface costs one albedo; thin glass is a pane of
-/// two faces, whose inner reflections are summed; it passes straight on, and when rough scatters what passes
-/// as a reflection would be, mirrored through the sheet (KHR_materials_transmission).
+/// here: glass (transmission > 0) reflects by the exact Fresnel law and ignores the specular weight; with
+/// tables its two lobes are divided by their common albedo at wo; every crossing of a tinted surface costs
+/// one albedo; thin glass is a pane of two faces, whose inner reflections are summed; it passes straight on,
+/// and when rough scatters what passes as a reflection would be, mirrored through the sheet
+/// (KHR_materials_transmission).
 class Bsdf {
  public:
   /// `outside`: wo is on the side of the outward normal; `solid`: the surface bounds a volume.
@@ -43,6 +44,7 @@ class Bsdf {
   double diffuseShare(double c) const;
   double belowCoat() const;
   double compensation(double f0, const AlbedoTable* table) const;
+  double specularGain() const;
 
   const Finish& finish_;
   const Material& m_;

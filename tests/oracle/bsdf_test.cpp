@@ -116,6 +116,22 @@ TEST(OracleBsdf, CompensatedSurfacesLoseNothing) {
     }
 }
 
+TEST(OracleBsdf, CompensatedGlassLosesNothingBetweenEqualRadiancesPerSquaredIndex) {
+  Material m = scenes::plastic(0.0f, glm::vec3(1.0f));
+  m.transmission = 1.0f;
+  for (const float roughness : {0.5f, 1.0f}) {
+    m.roughness = roughness;
+    const Finish finish = finishOf(m, true);
+    const double n2 = double(m.ior) * m.ior;
+    for (const double mu : {0.3, 0.8}) {
+      EXPECT_NEAR(albedo(Bsdf(finish, eye(mu), true, true), n2), 1.0, 3e-3) << roughness << " outside " << mu;
+      EXPECT_NEAR(albedo(Bsdf(finish, eye(mu), false, true), 1.0 / n2), 1.0, 3e-3)
+          << roughness << " inside " << mu;
+      EXPECT_NEAR(albedo(Bsdf(finish, eye(mu), true, false)), 1.0, 3e-3) << roughness << " a pane " << mu;
+    }
+  }
+}
+
 TEST(OracleBsdf, SingleScatterIsReciprocalUnlessLayered) {
   std::seed_seq seed{11};
   Random random(seed);

@@ -53,15 +53,15 @@ void clipToRound(Span& span, const Ray& ray, const dvec3& mask, double radius) {
 
 std::optional<Hit> firstEnd(const Span& span, double tMin) {
   if (!(span.t0 < span.t1)) return {};
-  if (span.t0 > tMin) return Hit{span.t0, span.n0};
-  if (span.t1 > tMin) return Hit{span.t1, span.n1};
+  if (span.t0 > tMin) return Hit{.t = span.t0, .normal = span.n0};
+  if (span.t1 > tMin) return Hit{.t = span.t1, .normal = span.n1};
   return {};
 }
 
 std::optional<Hit> meetGround(const Ray& ray, double tMin) {
   const double t = -ray.origin.y / ray.direction.y;
   if (!(t > tMin) || t == kInfinity) return {};
-  return Hit{t, {0.0, 1.0, 0.0}};
+  return Hit{.t = t, .normal = {0.0, 1.0, 0.0}};
 }
 
 /// Moller and Trumbore 1997: t and the two barycentrics as ratios of determinants.
@@ -73,7 +73,7 @@ std::optional<Hit> meetTriangle(const Ray& ray, double tMin, const dvec3& a, con
   const double u = glm::dot(toOrigin, p) / det, v = glm::dot(ray.direction, q) / det,
                t = glm::dot(ac, q) / det;
   if (u < 0.0 || v < 0.0 || u + v > 1.0 || !(t > tMin)) return {};
-  return Hit{t, glm::cross(ab, ac)};
+  return Hit{t, glm::cross(ab, ac), nullptr, 0, {u, v}};
 }
 
 struct Meet {
@@ -114,9 +114,12 @@ struct Meet {
   std::optional<Hit> operator()(const MeshShape& s) const {
     std::optional<Hit> nearest;
     const auto& at = s.mesh->positions;
-    for (const glm::uvec3& t : s.mesh->triangles) {
+    for (std::size_t i = 0; i < s.mesh->triangles.size(); ++i) {
+      const glm::uvec3& t = s.mesh->triangles[i];
       const auto hit = meetTriangle(ray, tMin, dvec3(at[t.x]), dvec3(at[t.y]), dvec3(at[t.z]));
-      if (hit && (!nearest || hit->t < nearest->t)) nearest = hit;
+      if (!hit || (nearest && hit->t >= nearest->t)) continue;
+      nearest = hit;
+      nearest->triangle = i;
     }
     return nearest;
   }

@@ -17,6 +17,8 @@ struct Hit {
   double t = 0.0;
   dvec3 normal{0.0};  // unit, outward for solids, the shape's +Y for flat ones
   const Body* body = nullptr;
+  std::size_t triangle = 0;  // of a mesh
+  dvec2 barycentric{0.0};    // weights of its second and third corner
 };
 
 /// First meeting of a ray with a shape in the shape's own frame at t > tMin; the normal is not of unit

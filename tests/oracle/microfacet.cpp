@@ -15,12 +15,28 @@ double tangentSquared(double cosTheta) {
 }
 
 AlbedoTable::Row mirror(double mu, double ior) {
-  return {1.0, schlickWeight(mu), fresnelDielectric(mu, 1.0, ior), fresnelDielectric(mu, ior, 1.0)};
+  const double outside = fresnelDielectric(mu, 1.0, ior), inside = fresnelDielectric(mu, ior, 1.0);
+  return {1.0, schlickWeight(mu), outside, inside, 1.0 - outside, 1.0 - inside};
+}
+
+/// What of the light along the refraction of mu at a facet gets out between the others: 0 where it is
+/// reflected totally or stays above the horizon; eta = index here / index there.
+double passed(double alpha, double mu, double cosH, double c, double eta) {
+  const double cosT2 = 1.0 - eta * eta * (1.0 - c * c);
+  if (cosT2 <= 0.0) return 0.0;
+  const double cosI = eta * mu - (eta * c - std::sqrt(cosT2)) * cosH;
+  if (cosI <= 0.0) return 0.0;
+  return (1.0 - fresnelDielectric(c, eta, 1.0)) /
+         ((1.0 + smithLambda(alpha, mu)) * (1.0 + smithLambda(alpha, cosI)));
 }
 
 AlbedoTable::Row sum(const AlbedoTable::Row& a, double u, const AlbedoTable::Row& b, double v) {
-  return {u * a.white + v * b.white, u * a.grazing + v * b.grazing, u * a.exactOutside + v * b.exactOutside,
-          u * a.exactInside + v * b.exactInside};
+  return {u * a.white + v * b.white,
+          u * a.grazing + v * b.grazing,
+          u * a.exactOutside + v * b.exactOutside,
+          u * a.exactInside + v * b.exactInside,
+          u * a.passedOutside + v * b.passedOutside,
+          u * a.passedInside + v * b.passedInside};
 }
 
 }  // namespace
@@ -76,17 +92,22 @@ AlbedoTable::AlbedoTable(double alpha, double ior) : alpha_(alpha), ior_(ior) {
 AlbedoTable::Row AlbedoTable::integrate(double mu) const {
   constexpr int nS = 160, nPhi = 96;
   const double sinO = std::sqrt(std::max(0.0, 1.0 - mu * mu));
-  Row total{0.0, 0.0, 0.0, 0.0};
+  Row total{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   for (int i = 0; i < nS; ++i) {
     const double v = (i + 0.5) / nS, tail = v * v * v;
     const double cosH = 1.0 / std::sqrt(1.0 + alpha_ * alpha_ * (1.0 - tail) / tail);
     const double sinH = std::sqrt(1.0 - cosH * cosH);
     for (int j = 0; j < nPhi; ++j) {  // half the circle, by symmetry
       const double c = mu * cosH + sinO * sinH * std::cos(pi * (j + 0.5) / nPhi);
+      if (c <= 0.0) continue;
+      const double weight = c / (mu * cosH) * 3.0 * v * v / (nS * nPhi);
+      total.passedOutside += weight * passed(alpha_, mu, cosH, c, 1.0 / ior_);
+      total.passedInside += weight * passed(alpha_, mu, cosH, c, ior_);
       const double cosI = 2.0 * c * cosH - mu;
-      if (c <= 0.0 || cosI <= 0.0) continue;
-      const double weight = smithG2(alpha_, mu, cosI) * c / (mu * cosH) * 3.0 * v * v / (nS * nPhi);
-      total = sum(total, 1.0, mirror(c, ior_), weight);
+      if (cosI <= 0.0) continue;
+      Row mirrored = mirror(c, ior_);
+      mirrored.passedOutside = mirrored.passedInside = 0.0;
+      total = sum(total, 1.0, mirrored, weight * smithG2(alpha_, mu, cosI));
     }
   }
   return total;

@@ -28,11 +28,13 @@ glm::dvec3 fresnelF82(const glm::dvec3& f0, const glm::dvec3& edgeTint, double c
 
 /// Directional albedo of the single-scatter GGX lobe over mu = cos(theta_o), as weights of the reflectance:
 /// albedo(Schlick) = F0 * (white - grazing) + F90 * grazing. `exactOutside/Inside` = with the exact
-/// reflectance of an index `ior`, seen from the air or from within.
+/// reflectance of an index `ior`, seen from the air or from within; `passedOutside/Inside` = what is
+/// refracted then, with separable masking.
 class AlbedoTable {
  public:
   struct Row {
     double white = 1.0, grazing = 0.0, exactOutside = 0.0, exactInside = 0.0;
+    double passedOutside = 1.0, passedInside = 1.0;
   };
   AlbedoTable(double alpha, double ior);
   Row at(double mu) const;

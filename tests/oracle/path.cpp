@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tests/oracle/bsdf.hpp"
+#include "tests/oracle/surface.hpp"
 
 namespace steradian::oracle {
 namespace {
@@ -48,14 +49,30 @@ Arrival arrival(const PunctualLight& light, const dvec3& point) {
   return {d / distance, distance, light.intensity * (fade / squared)};
 }
 
-dvec3 punctualLight(const World& world, const Bsdf& bsdf, const Frame& frame, const dvec3& point) {
+/// Where a ray really ends: half transparent surfaces let some of them pass.
+std::optional<Hit> firstOpaque(const World& world, const Ray& ray, double tMin, Random& random) {
+  for (auto hit = nearest(world, ray, tMin);; hit = nearest(world, ray, hit->t)) {
+    const double opacity = hit ? opacityAt(*hit) : 1.0;
+    if (opacity == 1.0 || random.uniform() < opacity) return hit;
+  }
+}
+
+/// Whether a direction is on the same side of the facet as of the shading normal: else it is not scattered
+/// to (Veach 1997, section 5.3).
+bool sidesAgree(const dvec3& facet, const dvec3& worldWi, const dvec3& localWi) {
+  return glm::dot(facet, worldWi) * localWi.z > 0.0;
+}
+
+/// `facet`: the surface's own normal, on the side that the ray came from.
+dvec3 punctualLight(const World& world, const Bsdf& bsdf, const Frame& frame, const dvec3& facet,
+                    const dvec3& point, Random& random) {
   dvec3 L(0.0);
   for (const PunctualLight& light : world.punctual) {
     const Arrival a = arrival(light, point);
     const dvec3 wi = frame.local(a.direction);
     const dvec3 reflected = bsdf.evaluate(wi) * std::abs(wi.z) * a.illuminance;
-    if (reflected == dvec3(0.0)) continue;
-    const auto blocker = nearest(world, {point, a.direction}, selfDistance(point));
+    if (reflected == dvec3(0.0) || !sidesAgree(facet, a.direction, wi)) continue;
+    const auto blocker = firstOpaque(world, {point, a.direction}, selfDistance(point), random);
     if (!blocker || blocker->t >= a.distance) L += reflected;
   }
   return L;
@@ -97,27 +114,32 @@ dvec3 radiance(const World& world, Ray ray, int maxBounces, Random& random) {
   const Material* medium = nullptr;  // that the ray runs through; null = air
   double tMin = 0.0;
   for (int depth = 0; depth <= maxBounces + 1 && beta != dvec3(0.0); ++depth) {
-    const auto hit = nearest(world, ray, tMin);
+    const auto hit = firstOpaque(world, ray, tMin, random);
     if (!hit) return L + beta * world.background(ray.direction);
     beta *= transmittance(medium, hit->t);
 
     // Emission of what was met
     const Body& body = *hit->body;
     const bool outside = glm::dot(ray.direction, hit->normal) < 0.0;
-    if (body.finish ? depth <= maxBounces : outside || !body.oneSided) L += beta * body.emission;
+    if (body.finish ? depth <= maxBounces : outside || !body.oneSided) L += beta * emissionAt(*hit);
     if (!body.finish || depth > maxBounces) return L;
 
     // Light from where no ray leads
-    const Frame frame(outside ? hit->normal : -hit->normal);
-    const Bsdf bsdf(*body.finish, frame.local(-ray.direction), outside, body.solid());
-    const dvec3 point = ray.at(hit->t);
-    L += beta * punctualLight(world, bsdf, frame, point);
+    const double side = outside ? 1.0 : -1.0;
+    const dvec3 facet = side * hit->normal, point = ray.at(hit->t);
+    const Frame frame(side * shadingNormal(*hit));
+    const dvec3 wo = frame.local(-ray.direction);
+    if (wo.z <= 0.0) return L;  // the facet faces the viewer, its smooth normal does not
+    const auto painted = paintedFinish(*hit);
+    const Bsdf bsdf(painted ? *painted : *body.finish, wo, outside, body.solid());
+    L += beta * punctualLight(world, bsdf, frame, facet, point, random);
 
     // Onward
     const Next step = next(bsdf, random);
-    beta *= step.weight;
+    const dvec3 onward = glm::normalize(frame.world(step.wi));
+    beta *= sidesAgree(facet, onward, step.wi) ? step.weight : dvec3(0.0);
     if (step.wi.z < 0.0 && body.solid()) medium = outside ? &body.finish->material : nullptr;
-    ray = {point, glm::normalize(frame.world(step.wi))};
+    ray = {point, onward};
     tMin = selfDistance(point);
   }
   return L;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/oracle/blackbody.hpp"
+
 namespace steradian::oracle {
 namespace {
 
@@ -31,6 +33,7 @@ dvec3 nearestTexel(const Image& image, const dvec3& d) {
 }  // namespace
 
 bool Body::solid() const {
+  if (std::holds_alternative<MeshShape>(shape)) return finish && !finish->material.thinWalled;
   return !std::holds_alternative<Rect>(shape) && !std::holds_alternative<Disk>(shape);
 }
 
@@ -79,7 +82,8 @@ const Finish* World::finishOf(const Scene& scene, Id id) {
 }
 
 void World::add(const Light& light, const dmat4& worldFromObject) {
-  const dvec3 scale = dvec3(lightColor(light)) * double(light.intensity);
+  const dvec3 glow = light.temperature > 0.0f ? blackbodyColor(light.temperature) : dvec3(1.0);
+  const dvec3 scale = dvec3(light.color) * glow * double(light.intensity);
   const dmat3 rotation = rotationOf(worldFromObject);
   const dvec3 position(worldFromObject[3]), axis = -rotation[2];
   const dmat4 worldFromFlat = worldFromObject * kLightFromFlat;

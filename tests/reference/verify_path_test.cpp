@@ -14,8 +14,11 @@ namespace {
 
 constexpr Extent film{12, 8};
 constexpr PixelRect everyPixel{0, 0, 12, 8};
-// Rows of a record (shaders/path_record.glsl): the header's two, then the first vertex.
-constexpr std::size_t hitRow = 2 + 6, normalRow = 2 + 8, bsdfRow = 2 + 14 + 3;
+// Rows of a record (shaders/path_record.glsl): the header's two, then the first vertex, whose first slot of a
+// light chose a light, found a direction and an illuminance, and sent light along the path.
+constexpr std::size_t hitRow = 2 + 6, normalRow = 2 + 8, metRow = 2 + 10, slotRow = 2 + 14;
+constexpr std::size_t choiceRow = slotRow, illuminanceRow = slotRow + 2, bsdfRow = slotRow + 3,
+                      reflectedRow = slotRow + 4, nextSlot = 5;
 
 class VerifiedPaths : public RendererTest {
  protected:
@@ -26,6 +29,12 @@ class VerifiedPaths : public RendererTest {
   }
   std::vector<PathRecord> record(std::uint64_t end) {
     return recordPaths(*device_, traced_, everyPixel, 0, end);
+  }
+
+  // A path of the room, in which a test may plant a fault; recorded once.
+  PathRecord onePath() {
+    static const PathRecord path = record(1)[40];
+    return path;
   }
 
   // Stages of all that parts on one path.
@@ -121,29 +130,73 @@ TEST_F(VerifiedPaths, float_and_double_agree_on_shapes_and_meshes_in_one_hierarc
   EXPECT_GT(expectNoneParts(record(2)), 1000u);
 }
 
+// Lights that whole pipelines are specialized for: a mesh and a box that glow.
+TEST_F(VerifiedPaths, float_and_double_agree_where_meshes_and_solids_glow) {
+  scenes::add(scene_, scenes::at({-1.5, 2.5, 0.5}, {1, 1, 0}, 0.7, glm::dvec3(0.4)),
+              textures::shape(meshes::icosphere(1)), scenes::emitter(4.0f, glm::vec3(0.2f)));
+  scenes::add(scene_, scenes::at({1.5, 2.5, 0.5}, {1, 1, 0}, 0.7), Box{glm::dvec3(0.5)},
+              scenes::emitter(4.0f, glm::vec3(0.2f)));
+  traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
+  const Image picture = render(scene_, scenes::roomView(), film, 1);
+  const std::vector<PathRecord> paths = record(1);
+  expectThoseOf(paths, picture);
+  EXPECT_GT(expectNoneParts(paths), 1000u);
+}
+
 TEST_F(VerifiedPaths, a_wrong_distance_is_named_intersection) {
-  PathRecord path = record(1)[40];
+  PathRecord path = onePath();
   path.rows[hitRow].x *= 1.01f;
   EXPECT_TRUE(partingStages(path).count("intersection"));
 }
 
 TEST_F(VerifiedPaths, another_primitive_is_named_intersection) {
-  PathRecord path = record(1)[40];
+  PathRecord path = onePath();
   path.rows[hitRow].y = path.rows[hitRow].y == 0.0f ? 1.0f : 0.0f;
   EXPECT_TRUE(partingStages(path).count("intersection"));
 }
 
 TEST_F(VerifiedPaths, a_tilted_normal_is_named_normal) {
-  PathRecord path = record(1)[40];
+  PathRecord path = onePath();
   path.rows[normalRow] += glm::vec4(0.01f, 0.01f, 0.01f, 0.0f);
   EXPECT_TRUE(partingStages(path).count("normal"));
 }
 
 TEST_F(VerifiedPaths, a_wrong_reflectance_is_named_bsdf_alone) {
-  PathRecord path = record(1)[40];
+  PathRecord path = onePath();
   ASSERT_GT(path.rows[bsdfRow].x, 0.0f);
   path.rows[bsdfRow].x *= 1.01f;
   EXPECT_EQ(partingStages(path), std::set<std::string>{"BSDF"});
+}
+
+TEST_F(VerifiedPaths, a_wrong_light_is_named_light_alone) {
+  const PathRecord right = onePath();
+  // What the device would have recorded with a fault of one kind: the value must be there to be wrong.
+  const auto stagesWith = [&](std::size_t row, int component, auto wrong) {
+    PathRecord path = right;
+    path.rows[row][component] = wrong(path.rows[row][component]);
+    EXPECT_NE(path.rows[row][component], right.rows[row][component]) << "nothing was planted";
+    return partingStages(path);
+  };
+  const auto larger = [](float x) { return 1.01f * x; };
+  const std::set<std::string> light{"light"};
+  EXPECT_EQ(stagesWith(illuminanceRow, 0, larger), light);
+  EXPECT_EQ(stagesWith(illuminanceRow + nextSlot, 3, larger), light) << "density of an area light";
+  EXPECT_EQ(stagesWith(metRow, 0, [](float) { return 0.01f; }), light) << "nothing shines there";
+  PathRecord shadowed = right;
+  ASSERT_GT(shadowed.rows[reflectedRow].x, 0.0f);
+  shadowed.rows[reflectedRow] = glm::vec4(0.0f, 0.0f, 0.0f, shadowed.rows[reflectedRow].w);
+  EXPECT_EQ(partingStages(shadowed), light) << "a shadow ray that met something";
+}
+
+// Forty lamps of which eight are tried: the choice itself can be wrong.
+TEST_F(VerifiedPaths, another_light_is_named_light) {
+  for (int i = 0; i < 40; ++i)
+    scenes::addLight(scene_, scenes::at({0.1 * i - 2.0, 3.0, 0.05 * i - 1.0}), PointLight{}, 1.0f);
+  traced_ = tracedScene(packScene(scene_, scenes::roomView(), film), *device_);
+  PathRecord path = record(1)[40];
+  EXPECT_TRUE(partingStages(path).empty());
+  path.rows[choiceRow].y = path.rows[choiceRow].y == 0.0f ? 1.0f : 0.0f;
+  EXPECT_TRUE(partingStages(path).count("light"));
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ TEST(SamplesNeeded, follow_the_slope_and_believe_a_slow_one_only_after_three_dou
   EXPECT_DOUBLE_EQ(needed(-1.0, 1), 200.0);
   EXPECT_DOUBLE_EQ(needed(-0.4, 2), 400.0);
   EXPECT_NEAR(needed(-0.4, 3), 100.0 * std::pow(2.0, 2.5), 1e-9);
+  EXPECT_DOUBLE_EQ(needed(0.1, 3), 1600.0);  // fireflies come faster than they fade: the slowest of all
 }
 
 TEST(Tails, of_even_errors_carry_what_they_count) {
@@ -117,5 +118,18 @@ TEST(HeavyTails, need_a_flat_slope_over_three_doublings_and_few_pixels_with_most
   EXPECT_FALSE(estimate(-0.3, 3, 0.4).tails.heavy);
   EXPECT_NE(tailWarning(estimate(-0.3, 3, 0.6)).find("4 pixels carry 60 % of the squared error"),
             std::string::npos);
+  EXPECT_NE(tailWarning(estimate(-0.3, 3, 0.6)).find("falls as samples^-0.30 only"), std::string::npos);
+  EXPECT_NE(tailWarning(estimate(0.1, 3, 0.6)).find("does not fall"), std::string::npos);
   EXPECT_TRUE(tailWarning(estimate(-0.5, 3, 0.6)).empty());
+}
+
+TEST(ClampWarning, tells_the_share_of_the_light_and_only_when_some_is_gone) {
+  RenderStats stats;
+  EXPECT_TRUE(clampWarning(stats).empty());
+  stats.clampedShare = 0.0;
+  EXPECT_TRUE(clampWarning(stats).empty());
+  stats.clampedShare = 0.0321;
+  EXPECT_NE(clampWarning(stats).find("removed 3.2 % of the light"), std::string::npos);
+  stats.nanSamples = 2;
+  EXPECT_EQ(doubtsAbout(stats).size(), 2u);
 }

@@ -2,6 +2,7 @@
 // The same samples give the same bytes, however the work is cut into dispatches.
 #include <algorithm>
 
+#include "renderer/film_sums.hpp"
 #include "tests/renderer/renderer_fixture.hpp"
 #include "tests/renderer/scenes.hpp"
 
@@ -35,6 +36,44 @@ TEST_F(DeterminismTest, row16_any_batch_budget_gives_the_same_bytes) {
     SCOPED_TRACE(budget);
     expectSameBytes(renderInBatches(scene, film, 48, budget), whole);
   }
+}
+
+TEST_F(DeterminismTest, pause_and_resume_give_the_same_bytes) {
+  const Scene scene = room(6);
+  const Extent film{40, 56};
+  const Image whole = renderInBatches(scene, film, 48, 1e6);
+  renderer().setSampleRange(0, 48);
+  int pauses = 0, betweenRows = 0;
+  while (renderer().trace(1e-3)) {
+    if (++pauses % 5 != 0) continue;
+    // What a window does while it is paused: it shows, measures, reads what is under the mouse, saves.
+    betweenRows += renderer().midPass();
+    renderer().setScene(scene, roomView(), film);
+    renderer().displayed();
+    renderer().measureError();
+    renderer().measureTails();
+    renderer().pick(20, 28);
+    renderer().filmSums();
+  }
+  EXPECT_GE(pauses, 20);
+  EXPECT_GT(betweenRows, 0) << "no pause fell into a pass over the film";
+  expectSameBytes(renderer().radiance(), whole);
+}
+
+TEST_F(DeterminismTest, a_still_that_goes_on_later_gives_the_same_bytes) {
+  const Scene scene = room(6);
+  const Extent film{40, 56};
+  const Image whole = renderInBatches(scene, film, 48, 1e6);
+  renderer().setSampleRange(0, 5);
+  for (const std::uint64_t end : {13, 32, 48}) {
+    while (renderer().trace(0.7)) {
+    }
+    renderer().extendSamples(end);
+  }
+  while (renderer().trace(0.7)) {
+  }
+  EXPECT_EQ(renderer().stats().samples, 48u);
+  expectSameBytes(renderer().radiance(), whole);
 }
 
 TEST_F(DeterminismTest, row16_samples_that_fill_the_loop_budget_equal_single_dispatches) {

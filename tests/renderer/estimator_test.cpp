@@ -47,6 +47,29 @@ TEST_F(EstimatorTest, row36_hundred_thousand_samples_of_a_constant_stay_exact) {
   }
 }
 
+TEST_F(EstimatorTest, tails_read_in_slices_are_those_of_the_whole_film) {
+  const Extent film{32, 24};
+  render(room(4), roomView(), film, 8);
+  ASSERT_TRUE(renderer().measureError().valid);
+  const ErrorTails whole = renderer().measureTails();
+  EXPECT_EQ(whole.pixels, 1u);
+  EXPECT_GT(whole.share, 1.0 / (32 * 24));
+  int slices = 1;
+  while (!renderer().measureTails(100)) ++slices;  // 3 rows each
+  EXPECT_EQ(slices, 8);
+  EXPECT_EQ(renderer().stats().error.tails, whole);
+  // A picture that starts over drops what was read of the last one.
+  EXPECT_FALSE(renderer().measureTails(100));
+  Scene other = room(4);
+  other.render.seed = 5;
+  render(other, roomView(), film, 8);
+  renderer().measureError();
+  for (slices = 1; !renderer().measureTails(100);) ++slices;
+  EXPECT_EQ(slices, 8);
+  const ErrorTails sliced = renderer().stats().error.tails;
+  EXPECT_EQ(sliced, renderer().measureTails());
+}
+
 TEST_F(EstimatorTest, row38_meter_is_true_in_a_room_of_area_lights) {
   expectHonestMeter(room(4), roomView(), 16);
 }

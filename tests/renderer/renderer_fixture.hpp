@@ -83,6 +83,18 @@ class RendererTest : public testing::Test {
     return renderer_->radiance();
   }
 
+  /// The same samples through another pipeline: bit by bit on a CPU, whose compiler keeps the order of
+  /// operations; a GPU's may round differently.
+  static void expectSamePicture(const Image& special, const Image& generic) {
+    const double difference = mrse(special, generic);
+    if (onCpu()) {
+      EXPECT_TRUE(special == generic) << "MRSE " << difference;
+    } else {
+      EXPECT_LE(difference, 1e-6);
+    }
+    measured("MRSE against the generic pipeline", difference, onCpu() ? 0 : 1e-6);
+  }
+
   static inline std::shared_ptr<gpu::Device> device_;
   static inline std::unique_ptr<Renderer> renderer_;
 };

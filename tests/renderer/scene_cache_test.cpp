@@ -58,7 +58,7 @@ TEST(SceneCache, what_was_prepared_is_not_made_again_when_the_scene_is_shown) {
   EXPECT_EQ(told.front(), 0.0);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()) && told.back() < 1.0);
   const auto ball = cache.meshes.of(meshOf(scene.objects[0]));
-  const GpuScene shown = packScene(scene, {}, {8, 8}, cache.meshes, cache.textures);
+  const GpuScene shown = packScene(scene, {}, {8, 8}, cache);
   ASSERT_EQ(shown.meshes.size(), 2u);
   EXPECT_EQ(shown.meshes[0], ball);
   EXPECT_EQ(cache.skyOf(skyOf(scene.objects[3])), cache.skyOf(skyOf(scene.objects[3])));
@@ -67,9 +67,9 @@ TEST(SceneCache, what_was_prepared_is_not_made_again_when_the_scene_is_shown) {
 TEST(SceneCache, a_moved_object_rebuilds_no_mesh) {
   Scene scene = furnished();
   SceneCache cache;
-  const GpuScene before = packScene(scene, {}, {8, 8}, cache.meshes, cache.textures);
+  const GpuScene before = packScene(scene, {}, {8, 8}, cache);
   scene.objects[0].transform.translation.x += 3.0;
-  const GpuScene after = packScene(scene, {}, {8, 8}, cache.meshes, cache.textures);
+  const GpuScene after = packScene(scene, {}, {8, 8}, cache);
   EXPECT_FALSE(after.sameRadiance(before));
   EXPECT_EQ(after.meshes, before.meshes);
   EXPECT_EQ(after.vertices, before.vertices);
@@ -90,10 +90,10 @@ TEST(SceneCache, a_worker_may_prepare_while_another_scene_is_shown) {
   const Scene shown = furnished(), next = furnished();
   SceneCache cache;
   std::jthread worker([&] { cache.prepare(next, goOn); });
-  for (int i = 0; i < 50; ++i) packScene(shown, {}, {8, 8}, cache.meshes, cache.textures);
+  for (int i = 0; i < 50; ++i) packScene(shown, {}, {8, 8}, cache);
   worker.join();
   const auto mesh = cache.meshes.of(meshOf(next.objects[0]));
-  EXPECT_EQ(packScene(next, {}, {8, 8}, cache.meshes, cache.textures).meshes[0], mesh);
+  EXPECT_EQ(packScene(next, {}, {8, 8}, cache).meshes[0], mesh);
 }
 
 TEST(SceneCache, what_nobody_holds_any_more_is_forgotten_with_the_next_scene) {
@@ -104,7 +104,7 @@ TEST(SceneCache, what_nobody_holds_any_more_is_forgotten_with_the_next_scene) {
     cache.prepare(scene, goOn);
     built = cache.meshes.of(meshOf(scene.objects[0]));
   }
-  packScene(Scene{}, {}, {8, 8}, cache.meshes, cache.textures);
+  packScene(Scene{}, {}, {8, 8}, cache);
   EXPECT_TRUE(built.expired());
 }
 

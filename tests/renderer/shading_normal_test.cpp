@@ -115,7 +115,6 @@ TEST_F(ShadingNormals, rough_and_smooth_glass_balls_keep_as_much_of_a_furnace_as
       const Image seen = render(scene, lookAt({0, 0, 100}, {0, 0, 0}, 2.0 * std::atan(0.01)), {16, 16}, 256);
       return covered(seen, 0.93).mean;
     };
-    // Rough facets scatter once: what they would scatter again is lost by both.
     expectMean({share(shape(smoothBall(3))), 0.0}, share(Sphere{1.0}), 0.01);
   }
 }

@@ -13,7 +13,7 @@
 namespace steradian::kernel {
 
 inline constexpr std::size_t manySamples = 1'000'000;
-inline const double sidak = 1 - std::pow(0.99, 1.0 / 14);  // fourteen histograms of lights
+inline const double sidak = 1 - std::pow(0.99, 1.0 / 13);  // thirteen histograms of lights
 
 /// P of the chi-square test of samples over 101 x 202 cells of the unit square, expected shares given; cells
 /// that expect fewer than 5 are pooled.

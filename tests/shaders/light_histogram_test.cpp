@@ -68,19 +68,5 @@ TEST_F(Lights, row24_rects_are_filled_evenly_by_solid_angle) {
   }
 }
 
-TEST_F(Lights, row24_disks_are_filled_evenly_by_area) {
-  const vec3 p(0.1f, 0.2f, 0.3f), centre = p + vec3(0.4f, 0.3f, -1), u(0.9f, 0, 0), v(0, 0.5f, 0);
-  const auto samples = draw(flatLight(gpu::LIGHT_DISK, centre, 1, u, v), p, manySamples);
-  const double probability = histogramP(
-      samples,
-      [&](const Sample& s) {
-        const dvec3 at = dvec3(p) + s.wi * s.distance - dvec3(centre);
-        const double x = at.x / double(u.x), y = at.y / double(v.y);
-        return dvec3(x * x + y * y, turn(x, y), 0);
-      },
-      evenShare);
-  expectEven(probability, sidak, "disk");
-}
-
 }  // namespace
 }  // namespace steradian::kernel

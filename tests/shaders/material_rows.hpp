@@ -17,8 +17,14 @@ inline Task materialTask(std::uint32_t operation, const std::vector<steradian::M
   gpu::TraceParams params{};
   params.flags = compensation ? gpu::TRACE_COMPENSATION : 0u;
   task.push = pushBytes(params);
-  for (const steradian::Material& m : materials)
-    pushMaterial(task.scene, m, materialBits(m, {}), gpu::NO_LIGHT);
+  GlassTables tables;
+  GlassPlaces glass(tables, compensation);
+  Rows behind(materials.size() * gpu::MATERIAL_ROWS);
+  for (const steradian::Material& m : materials) {
+    const std::uint32_t bits = materialBits(m, {});
+    pushMaterial(task.scene, m, bits, gpu::NO_LIGHT, glm::uvec4(0), glass.rowOf(m, bits, behind));
+  }
+  task.scene.insert(task.scene.end(), behind.begin() + std::ptrdiff_t(task.scene.size()), behind.end());
   task.tables = energyTable();
   return task;
 }

@@ -2,6 +2,7 @@
 // Random and hard inputs of every function whose rounding is measured: grazing, tiny roughness, far, huge.
 #pragma once
 #include <array>
+#include <bit>
 
 #include "tests/shaders/kernel.hpp"
 
@@ -93,6 +94,75 @@ inline Question lightQuestion(Random& random) {
   const glm::dvec3 p = centre + random.direction() * radius * random.decades(0.1, 3);
   return {rowOf(p, random.uniform()), rowOf(centre, random.uniform()),
           rowOf(x * radius * random.uniform(0.2, 1.0), radius), rowOf(y * radius * random.uniform(0.2, 1.0))};
+}
+
+/// A ray at a point of the triangle's neighbourhood: corners around `target` within `size`, from up to 1e3
+/// sizes away.
+inline Question triangleAt(Random& random, const glm::dvec3& normal, double size, double thickness,
+                           double elevation) {
+  const glm::dvec3 target = random.direction() * random.decades(-2, 2);
+  const glm::dvec3 x = glm::normalize(glm::cross(normal, random.direction())), y = glm::cross(normal, x);
+  const auto corner = [&](double turn) {
+    const double r = size * random.uniform(0.3, 1.0);
+    return target + x * (r * std::cos(turn)) + y * (r * thickness * std::sin(turn));
+  };
+  const double turn = random.uniform(0.0, 2.0 * M_PI);
+  const glm::dvec3 a = corner(turn), b = corner(turn + 2.0), c = corner(turn + 4.2);
+  const double u = random.uniform(-0.2, 1.2), v = random.uniform(-0.2, 1.2);
+  const glm::dvec3 at = a + (b - a) * u + (c - a) * v;
+  const glm::dvec3 level = glm::normalize(x * random.uniform(-1, 1) + y * random.uniform(-1, 1));
+  const glm::dvec3 away = level * std::sqrt(1.0 - elevation * elevation) + normal * elevation;
+  const glm::dvec3 o = at + away * (size * random.decades(-1, 3));
+  return {rowOf(o), rowOf(glm::normalize(at - o)), rowOf(a), rowOf(b), rowOf(c)};
+}
+
+// Sizes from 1 mm to 100 m, seen at any angle above 6 degrees, and aimed at a little more than the triangle.
+inline Question triangleQuestion(Random& random) {
+  return triangleAt(random, random.direction(), random.decades(-3, 2), 1.0, random.uniform(0.1, 1.0));
+}
+// A hundredth as wide as long.
+inline Question sliverQuestion(Random& random) {
+  return triangleAt(random, random.direction(), random.decades(-1, 1), 0.01, random.uniform(0.1, 1.0));
+}
+// Down to a thousandth of the ray's length above the triangle's plane.
+inline Question grazedTriangleQuestion(Random& random) {
+  return triangleAt(random, random.direction(), random.decades(-1, 1), 1.0, random.decades(-3, -1));
+}
+
+// Into glass or out of it, through a facet that wo sees; wi is what that facet makes of wo.
+inline Question refractionQuestion(Random& random) {
+  const glm::dvec3 wo = aboveHorizon(random);
+  const double alpha = random.decades(-3, 0), index = random.uniform(1.1, 2.4),
+               eta = random.uniform() < 0.5 ? index : 1.0 / index;
+  glm::dvec3 h(0.0);
+  while (glm::dot(wo, h) <= 0.0 || h.z <= 0.0)
+    h = glm::normalize(glm::dvec3(0, 0, 1) +
+                       random.direction() * std::min(alpha, 0.7) * random.uniform(0, 2));
+  const glm::dvec3 wi = glm::refract(-wo, h, 1.0 / eta);
+  const bool passes = glm::length(wi) > 0.5 && wi.z < 0.0;
+  return {rowOf(wo, alpha), rowOf(passes ? wi : glm::dvec3(0, 0, -1), eta), rowOf(h)};
+}
+
+// A glowing solid of 0.2 to 2 m, up to five times as long as wide, seen from just beside it to 1,000 m.
+inline Question solidQuestion(Random& random) {
+  const glm::dvec3 x = random.direction(), y = glm::normalize(glm::cross(x, random.direction())),
+                   z = glm::cross(x, y), centre = random.direction() * random.decades(-1, 1);
+  const glm::dvec3 size(random.uniform(0.2, 1.0), random.uniform(0.2, 1.0), random.uniform(0.2, 1.0));
+  const glm::dvec3 p = centre + random.direction() * random.decades(0.2, 3);
+  return {rowOf(p, random.uniform(0.0, 0.9999999)), rowOf(glm::dvec3(0), random.uniform(0.0, 0.9999999)),
+          rowOf(x / size.x, centre.x), rowOf(y / size.y, centre.y), rowOf(z / size.z, centre.z)};
+}
+
+// Numbers near 0 and 1, any bits, directions near the poles, densities from nearly even to a thousand to one.
+inline Question warpQuestion(Random& random) {
+  const double u = random.uniform() < 0.2 ? random.decades(-7, 0) : random.uniform(0.0, 0.9999999);
+  const glm::dvec3 d = random.direction(),
+                   polar = glm::normalize(glm::dvec3(0, d.y < 0 ? -1 : 1, 0) + d * random.decades(-4, 0));
+  const glm::vec4 first(float(u), float(random.uniform(0.0, 0.9999999)), float(random.decades(-3, 0)),
+                        std::bit_cast<float>(std::uint32_t(random.uniform(8388608.0, 2139095039.0))));
+  return {first, rowOf(random.uniform() < 0.5 ? polar : d),
+          glm::vec4(float(random.decades(-3, 0)), float(random.decades(-3, 0)), float(random.decades(-7, 0)),
+                    0.0f)};
 }
 
 }  // namespace steradian::kernel

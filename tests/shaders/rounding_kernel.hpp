@@ -11,8 +11,9 @@ class RoundingKernel : public GlslBuiltins<Real> {
   using typename GlslBuiltins<Real>::vec2;
   using typename GlslBuiltins<Real>::vec3;
   using typename GlslBuiltins<Real>::vec4;
+  using typename GlslBuiltins<Real>::uvec3;
   using typename GlslBuiltins<Real>::uint;
-  RoundingKernel() : GlslBuiltins<Real>(~0u) {}
+  RoundingKernel() : GlslBuiltins<Real>(Kinds{}) {}
 
   // clang-format off
 #define float Real

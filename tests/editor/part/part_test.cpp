@@ -167,6 +167,17 @@ TEST(Part, refuses_what_is_not_finite_or_unfinished) {
   EXPECT_THROW(partOf(sums, origin()), Error);
 }
 
+TEST(Part, refuses_what_lacks_samples_unless_told_to_accept_it) {
+  Part holed = part(8, 16);
+  holed.origin.nan = 3;
+  const std::string reason = refusal({part(0, 8), holed});
+  EXPECT_TRUE(contains(reason, "b.exr: its sums lack 3 samples that were not a number")) << reason;
+  EXPECT_TRUE(contains(reason, "--accept-nan")) << reason;
+  const Part all = merged({part(0, 8), holed}, {"a", "b"}, DroppedSamples::accept);
+  EXPECT_EQ(all.origin.nan, 3u) << "the whole says it too, and is refused in its turn";
+  EXPECT_EQ(meanOf(all), meanOf(merged({part(0, 8), part(8, 16)}, {"a", "b"})));
+}
+
 TEST(Part, tells_why_a_file_is_none) {
   const auto reason = [](std::map<std::string, std::string> metadata, std::vector<std::string> names) {
     try {

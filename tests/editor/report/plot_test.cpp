@@ -38,7 +38,7 @@ Report sampleReport() {
                   curve("one joint sequence", 0.9, -0.72, 9.0),
                   curve("no Russian roulette", 0.89, -0.66, 11.5),
                   curve("generic pipeline", 0.9, -0.66, 14.0),
-                  curve("independent samples", 0.92, -0.5, 8.8),
+                  curve("PCG instead of Owen-Sobol", 0.92, -0.5, 8.8),
                   curve("no light sampling", 3.9, -0.49, 6.0)};
   report.scenes = {scene};
   return report;
@@ -74,7 +74,7 @@ TEST(Labels, are_spread_apart_and_stay_in_order_and_in_the_picture) {
 
 TEST(Plot, names_every_curve_once_at_its_end_and_escapes_text) {
   const Report report = sampleReport();
-  const std::string svg = svgOf(report, report.scenes[0]);
+  const std::string svg = svgOf(report.scenes[0], PlotOver::seconds);
   if (const char* folder = std::getenv("STERADIAN_TEST_OUTPUT"))  // to look at it
     std::ofstream(std::string(folder) + "/plot.svg") << svg;
   for (const Curve& c : report.scenes[0].curves) {
@@ -88,12 +88,25 @@ TEST(Plot, names_every_curve_once_at_its_end_and_escapes_text) {
   EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
 }
 
+TEST(Plot, over_samples_leaves_out_what_differs_in_speed_alone) {
+  const SceneReport scene = sampleReport().scenes[0];
+  const std::string svg = svgOf(scene, PlotOver::samples);
+  if (const char* folder = std::getenv("STERADIAN_TEST_OUTPUT"))  // to look at it
+    std::ofstream(std::string(folder) + "/plot-samples.svg") << svg;
+  EXPECT_NE(svg.find("error against samples"), std::string::npos);
+  EXPECT_NE(svg.find(">samples per pixel</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">100</text>"), std::string::npos);
+  for (const Curve& c : scene.curves)
+    EXPECT_EQ(svg.find(">" + c.label + "</text>") == std::string::npos, c.label == "generic pipeline")
+        << c.label;
+  EXPECT_NE(svgOf(scene, PlotOver::seconds).find(">generic pipeline</text>"), std::string::npos);
+}
+
 TEST(Plot, of_nothing_or_of_no_error_is_still_a_picture) {
-  Report report;
   SceneReport scene{"empty", "", {}, {1, 1}, 1, 1, 0.0, {}};
-  EXPECT_NE(svgOf(report, scene).find("</svg>"), std::string::npos);
+  EXPECT_NE(svgOf(scene, PlotOver::seconds).find("</svg>"), std::string::npos);
   scene.curves = {curveOf("a", "a", {{{1, 0.1, 0.0, 0.0, 0.0, 0.0}}})};
-  const std::string svg = svgOf(report, scene);
+  const std::string svg = svgOf(scene, PlotOver::seconds);
   EXPECT_NE(svg.find("</svg>"), std::string::npos);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
@@ -101,9 +114,10 @@ TEST(Plot, of_nothing_or_of_no_error_is_still_a_picture) {
 
 TEST(Report, is_a_table_for_people_and_json_for_programs) {
   const Report report = sampleReport();
-  const std::string table = markdownOf(report, {"cornell.svg"});
+  const std::string table = markdownOf(report, {{"cornell.svg", "cornell-samples.svg"}});
   EXPECT_NE(table.find("![Error against time](cornell.svg)"), std::string::npos);
-  EXPECT_NE(table.find("| independent samples | 256 | 2.25 s | 5.75 % |"), std::string::npos) << table;
+  EXPECT_NE(table.find("![Error against samples](cornell-samples.svg)"), std::string::npos);
+  EXPECT_NE(table.find("| PCG instead of Owen-Sobol | 256 | 2.25 s | 5.75 % |"), std::string::npos) << table;
   EXPECT_NE(table.find("    steradian report projects/cornell --ablate"), std::string::npos);
   const auto json = nlohmann::json::parse(jsonOf(report));
   const auto& variant = json["scenes"][0]["variants"][4];

@@ -27,6 +27,15 @@ void main() {
     SamplePair pair = samplePair(seed, index, dimension);
     answers[at] = vec4(pair.x, pair.y, sampleIndependent(seed, index, dimension),
                        sampleIndependent(seed, index, dimension + 0x20000u));
+  } else if (kOperation == 3u) {
+    uint index = begin + at % samples;
+    uint seed = pixelSeedOf((at / samples) % 512u, (at / samples) / 512u, halfBuffer, 7u);
+    SamplePair pair = pcgPair(seed, index, dimension);
+    SamplePair next = pcgPair(seed, index, dimension + 1u);
+    answers[at] = vec4(pair.x, pair.y, next.x, next.y);
+  } else if (kOperation == 4u) {
+    uvec3 v = pcg3d(uvec3(begin + at, at * 3u, 7u));
+    answers[at] = split(v.x, v.y);
   } else {
     uint index = at < 4096u ? at : hashUint(at);
     answers[at] = split(index, sobolSecondReversed(index));
