@@ -2,6 +2,7 @@
 #include "renderer/energy_table.hpp"
 
 #include <cmath>
+#include <functional>
 #include <future>
 
 #include "renderer/facet_albedo.hpp"
@@ -32,7 +33,8 @@ std::vector<glm::vec4> cellRows(const std::vector<Value>& values, const Part& pa
     for (int x = 0; x < cells; ++x) {
       glm::vec4& row = rows.emplace_back();
       for (int corner = 0; corner < 4; ++corner)
-        row[corner] = float(part(values[std::size_t((y + corner / 2) * corners + x + corner % 2)]));
+        row[corner] =
+            float(std::invoke(part, values[std::size_t((y + corner / 2) * corners + x + corner % 2)]));
     }
   return rows;
 }
@@ -41,8 +43,7 @@ std::vector<glm::vec4> energyRows() {
   const Quadrature rule = gaussLegendre(16);
   const auto albedos =
       atCorners<FacetAlbedo>([&](double alpha, double mu) { return facetAlbedo(alpha, mu, rule); });
-  const auto f0 = cellRows(albedos, [](const FacetAlbedo&a) { return a.f0; }),
-             f90 = cellRows(albedos, [](const FacetAlbedo&a) { return a.f90; });
+  const auto f0 = cellRows(albedos, &FacetAlbedo::f0), f90 = cellRows(albedos, &FacetAlbedo::f90);
   std::vector<glm::vec4> rows;
   for (std::size_t i = 0; i < f0.size(); ++i) rows.insert(rows.end(), {f0[i], f90[i]});
   return rows;
@@ -52,7 +53,7 @@ std::vector<glm::vec4> glassSide(double eta) {
   const Quadrature rule = gaussLegendre(24);
   return cellRows(
       atCorners<double>([&](double alpha, double mu) { return glassAlbedo(alpha, mu, eta, rule).white(); }),
-      [](double white) { return white; });
+      std::identity());
 }
 
 std::vector<glm::vec4> glassRows(double ior) {

@@ -43,7 +43,8 @@ layout(constant_id = 34) const uint kFixedLights = 0;
 layout(constant_id = 35) const bool kAblation = false;
 // Bounded analytic shapes lie in the hierarchy over the scene (TRACE_SHAPE_HIERARCHY), not in flat lists.
 layout(constant_id = 41) const bool kShapeHierarchy = false;
-// Solids among the lights.
+// Meshes and solids among the lights.
+layout(constant_id = 42) const bool kMeshLights = false;
 layout(constant_id = 43) const bool kBoxLights = false;
 layout(constant_id = 44) const bool kCylinderLights = false;
 layout(constant_id = 45) const bool kEllipsoidLights = false;

@@ -7,9 +7,6 @@
 #include "surface.glsl"
 #include "texture.glsl"
 
-// Some mesh is among the lights.
-layout(constant_id = 42) const bool kMeshLights = false;
-
 bool isMeshLight(LightRows light) { return kMeshLights && uint(light.a.w) == LIGHT_MESH; }
 
 struct LightTriangle {

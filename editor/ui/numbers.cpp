@@ -3,20 +3,8 @@
 #include "editor/ui/numbers.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace steradian::ui {
-
-namespace {
-
-template <class... Args>
-std::string formatted(const char* format, Args... args) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, args...);
-  return text;
-}
-
-}  // namespace
 
 std::string percent(double ratio) {
   const double value = 100.0 * ratio;

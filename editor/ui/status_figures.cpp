@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "editor/ui/numbers.hpp"
 #include "editor/ui/style.hpp"
@@ -13,13 +12,6 @@
 namespace steradian::ui {
 
 namespace {
-
-template <class... Args>
-std::string formatted(const char* format, Args... args) {
-  char text[128];
-  std::snprintf(text, sizeof text, format, args...);
-  return text;
-}
 
 StatusFigure stateFigure(const StatusInput& input) {
   const char* help =
