@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/glsl_compiler.hpp"
+#include "renderer/gpu/barriers.hpp"
 #include "renderer/shader_code.hpp"
 
 namespace steradian {
@@ -23,7 +23,7 @@ float exposureScaleOf(const DisplaySettings& settings) {
 
 }  // namespace
 
-std::string displaySource(const Tonemapper& tonemapper) {
+std::string displaySource(const Tonemapper& tonemapper, ShaderStage stage) {
   if (tonemapper.parameters.size() > maxParameters)
     throw Error(ExitCode::plugin, tonemapper.id + ": has " + std::to_string(tonemapper.parameters.size()) +
                                       " parameters; at most " + std::to_string(maxParameters) +
@@ -40,7 +40,8 @@ std::string displaySource(const Tonemapper& tonemapper) {
   source += "void setTonemapperParameters() {\n" + assignments + "}\n#line 1\n";
   source += tonemapper.glsl;
   source += "\n";
-  source += displayFragmentText();
+  source += displayText();
+  source += stage == ShaderStage::compute ? displayComputeText() : displayFragmentText();
   return source;
 }
 
@@ -53,7 +54,9 @@ void Display::setTonemapper(const Tonemapper& tonemapper) {
     tonemapper_.parameters = tonemapper.parameters;
     return;
   }
-  spirv_ = compileGlsl(displaySource(tonemapper), ShaderStage::fragment, tonemapper.id);
+  spirv_ =
+      compileGlsl(displaySource(tonemapper, ShaderStage::fragment), ShaderStage::fragment, tonemapper.id);
+  compute_.reset();
   tonemapper_ = tonemapper;
   ++version_;
 }
@@ -79,6 +82,28 @@ gpu::DisplayParams Display::params(Extent film, PixelRect rect) const {
 std::unique_ptr<gpu::GraphicsPass> Display::pipeline(gpu::TargetPass renderPass) const {
   return std::make_unique<gpu::GraphicsPass>(device_, displayVertexSpirv(), spirv_, renderPass,
                                              std::span<const gpu::Specialization>{}, "display");
+}
+
+Image Display::picture(const gpu::Buffer& resolved, Extent film) {
+  constexpr auto stage = ShaderStage::compute;
+  if (!compute_)
+    compute_ = std::make_unique<gpu::ComputePass>(
+        device_, compileGlsl(displaySource(tonemapper_, stage), stage, tonemapper_.id),
+        std::span<const gpu::Specialization>{}, "display");
+  const std::size_t pixels = std::size_t(film.width) * std::size_t(film.height);
+  const gpu::Buffer encoded(device_, gpu::BufferKind::deviceLocal, pixels * sizeof(glm::vec4), "picture");
+  const gpu::Buffer* const storage[] = {nullptr, nullptr, nullptr, nullptr, &resolved, &encoded};
+  const gpu::Bindings bindings(device_, {}, storage);
+  device_.run(gpu::QueueKind::compute, [&](const auto& cmd) {
+    gpu::computeToCompute(cmd);
+    compute_->dispatch(cmd, bindings, params(film, {0, 0, film.width, film.height}), 256,
+                       std::uint32_t((pixels + 256 * 64 - 1) / (256 * 64)));
+  });
+  const auto values = gpu::downloadAs<glm::vec4>(device_, encoded, 0, pixels);
+  Image image{film.width, film.height, 3, std::vector<float>(pixels * 3)};
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (int c = 0; c < 3; ++c) image.pixels[i * 3 + std::size_t(c)] = values[i][c];
+  return image;
 }
 
 }  // namespace steradian

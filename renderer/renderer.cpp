@@ -6,7 +6,6 @@
 
 #include "renderer/energy_table.hpp"
 #include "renderer/gpu/barriers.hpp"
-#include "renderer/gpu/render_target.hpp"
 #include "renderer/mesh_buffer.hpp"
 #include "renderer/renderer_impl.hpp"
 #include "renderer/scene_size.hpp"
@@ -184,8 +183,6 @@ const ResolvedPicture& Renderer::Impl::resolveNow() {
   picture.prepare(*device, film);
   device->run(QueueKind::compute, [&](const auto& cmd) {
     computeToCompute(cmd);
-    // With queues of two families the hand-over already ordered the last reading.
-    if (!device->separateCompute()) fragmentToCompute(cmd);
     picture.record(cmd, resolve, metered());
   });
   return picture;
@@ -341,18 +338,8 @@ std::pair<Image, Image> Renderer::halves() {
 
 Image Renderer::displayed() {
   if (!impl_->film) return {};
-  const Device& device = *impl_->device;
   const ResolvedPicture& resolved = impl_->resolveNow();
-  const Buffer* const shown[] = {&resolved.buffer()};
-  handOver(device, shown, QueueKind::compute, QueueKind::graphics);
-  RenderTarget target(device, resolved.extent());
-  const auto pass = impl_->display.pipeline(target.renderPass());
-  const DisplayParams params = impl_->display.params(resolved.extent(), target.rect());
-  return target.render(
-      [&](const auto& cmd) { pass->draw(cmd, resolved.displaying(), params, target.rect()); },
-      [&](const auto& cmd) {
-        if (!device.separateCompute()) computeToFragment(cmd);
-      });
+  return impl_->display.picture(resolved.buffer(), resolved.extent());
 }
 
 }  // namespace steradian

@@ -21,6 +21,7 @@ class ResolvedPicture {
     resolve.dispatch(cmd, *resolving_, film_->params(errorMeter), groupsX, groupsY());
   }
   const gpu::Buffer& buffer() const { return buffer_; }
+  /// For the window's pass.
   const gpu::Bindings& displaying() const { return *displaying_; }
   Extent extent() const { return film_->extent(); }
 

@@ -5,7 +5,9 @@ namespace steradian {
 namespace {
 #include "shaders/aov.comp.h"
 #include "shaders/cast_rays.comp.h"
+#include "shaders/display.comp.text.h"
 #include "shaders/display.frag.text.h"
+#include "shaders/display.glsl.text.h"
 #include "shaders/display.vert.h"
 #include "shaders/gpu_types.h.text.h"
 #include "shaders/meter.comp.h"
@@ -38,8 +40,14 @@ std::span<const std::uint32_t> displayVertexSpirv() {
 std::string_view gpuTypesText() {
   return gpu_types_h_text;
 }
+std::string_view displayText() {
+  return display_glsl_text;
+}
 std::string_view displayFragmentText() {
   return display_frag_text;
+}
+std::string_view displayComputeText() {
+  return display_comp_text;
 }
 
 }  // namespace steradian

@@ -14,8 +14,10 @@ std::span<const std::uint32_t> pickSpirv();
 std::span<const std::uint32_t> aovSpirv();
 std::span<const std::uint32_t> castRaysSpirv();
 std::span<const std::uint32_t> displayVertexSpirv();
-/// gpu_types.h and display.frag as text, completed by a tonemapper at run time.
+/// Texts that a tonemapper completes at run time: the types, what both stages share, and each stage's main.
 std::string_view gpuTypesText();
+std::string_view displayText();
 std::string_view displayFragmentText();
+std::string_view displayComputeText();
 
 }  // namespace steradian

@@ -1,31 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Mean radiance -> what is seen: exposure, tonemapper, transfer. The same pass draws the viewport and the PNG.
-// Completed at run time: `#version`, gpu_types.h and the tonemapper's text (with its parameters) stand before this.
-
-layout(set = 0, binding = 5) readonly buffer Resolved { vec4 resolved[]; };
+// The film in a rectangle of the window; display.glsl stands before this.
 layout(location = 0) out vec4 encoded;
-
-// IEC 61966-2-1, piecewise.
-float srgbEncode(float x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055; }
-
-// min, max and clamp hide NaN differently everywhere: test the bits first.
-float safeInput(float x) {
-  uint bits = floatBitsToUint(x);
-  bool nan = (bits & 0x7f800000u) == 0x7f800000u && (bits & 0x007fffffu) != 0u;
-  return nan ? 0.0 : clamp(x, 0.0, 65504.0);
-}
-float safeOutput(float x) {
-  return (floatBitsToUint(x) & 0x7f800000u) == 0x7f800000u ? 0.0 : clamp(x, 0.0, 1.0);
-}
 
 void main() {
   vec2 inRect = (gl_FragCoord.xy - vec2(display.rectX, display.rectY)) / vec2(display.rectWidth, display.rectHeight);
   uvec2 pixel = min(uvec2(max(inRect, 0.0) * vec2(display.width, display.height)),
                     uvec2(display.width - 1u, display.height - 1u));
-  vec3 radiance = resolved[pixel.y * display.width + pixel.x].xyz * display.exposureScale;
-  setTonemapperParameters();
-  vec3 mapped = tonemap(vec3(safeInput(radiance.x), safeInput(radiance.y), safeInput(radiance.z)));
-  mapped = vec3(safeOutput(mapped.x), safeOutput(mapped.y), safeOutput(mapped.z));
-  vec3 srgb = vec3(srgbEncode(mapped.x), srgbEncode(mapped.y), srgbEncode(mapped.z));
-  encoded = vec4(display.transfer == 0u ? srgb : pow(mapped, vec3(display.inverseGamma)), 1.0);
+  encoded = vec4(encodedPixel(pixel.y * display.width + pixel.x), 1.0);
 }

@@ -29,14 +29,6 @@ void computeToCompute(const vk::raii::CommandBuffer& cmd) {
           Access::eShaderRead | Access::eShaderWrite);
 }
 
-void computeToFragment(const vk::raii::CommandBuffer& cmd) {
-  barrier(cmd, Stage::eComputeShader, Access::eShaderWrite, Stage::eFragmentShader, Access::eShaderRead);
-}
-
-void fragmentToCompute(const vk::raii::CommandBuffer& cmd) {
-  barrier(cmd, Stage::eFragmentShader, {}, Stage::eComputeShader, Access::eShaderRead | Access::eShaderWrite);
-}
-
 void computeToTransfer(const vk::raii::CommandBuffer& cmd) {
   barrier(cmd, Stage::eComputeShader | Stage::eTransfer, Access::eShaderWrite | Access::eTransferWrite,
           Stage::eTransfer, Access::eTransferRead | Access::eTransferWrite);

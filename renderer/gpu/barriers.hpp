@@ -12,11 +12,6 @@ namespace steradian::gpu {
 
 /// Compute writes, then compute reads or writes (also between submissions to one queue).
 void computeToCompute(const vk::raii::CommandBuffer& cmd);
-/// Compute writes, then the fragment shader reads, on one queue. No-op for the caller to skip when
-/// Device::separateCompute(): release and acquire do it then.
-void computeToFragment(const vk::raii::CommandBuffer& cmd);
-/// The fragment shader read, then compute writes, on one queue.
-void fragmentToCompute(const vk::raii::CommandBuffer& cmd);
 void computeToTransfer(const vk::raii::CommandBuffer& cmd);
 void computeToHost(const vk::raii::CommandBuffer& cmd);
 void transferToCompute(const vk::raii::CommandBuffer& cmd);

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t meshesBinding = 9;
 inline constexpr std::uint32_t texelsBinding = 10;
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
-/// What a GraphicsPass draws into, as RenderTarget and Swapchain hand it out.
+/// What a GraphicsPass draws into, as Swapchain hands it out.
 using TargetPass = vk::RenderPass;
 
 /// Owned by Device, the same for every pass: set 0 = { 0, 8, 9: samplerBuffer, 10: usamplerBuffer, 1..7:

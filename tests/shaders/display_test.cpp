@@ -11,8 +11,8 @@
 #include "renderer/display.hpp"
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/buffer.hpp"
-#include "renderer/gpu/render_target.hpp"
 #include "tests/measured.hpp"
+#include "tests/renderer/gpu/render_target.hpp"
 
 namespace steradian {
 namespace {
@@ -39,16 +39,20 @@ class DisplayPass : public ::testing::Test {
     gpu::Buffer resolved(*device_, gpu::BufferKind::upload, pixels.size() * sizeof(glm::vec4), "resolved");
     resolved.writeRows(0, std::span<const glm::vec4>(pixels));
     const gpu::Buffer* const storage[] = {nullptr, nullptr, nullptr, nullptr, &resolved};
-    handOver(*device_, std::span(storage).last(1), QueueKind::compute, QueueKind::graphics);
     Display display(*device_);
     display.setTonemapper(tonemapper);
     display.setSettings(settings);
+    const Image still = display.picture(resolved, extent);
+    handOver(*device_, std::span(storage).last(1), QueueKind::compute, QueueKind::graphics);
     gpu::RenderTarget target(*device_, extent);
     const auto pass = display.pipeline(target.renderPass());
     const gpu::Bindings bindings(*device_, {}, storage);
     const Image image = target.render([&](const auto& cmd) {
       pass->draw(cmd, bindings, display.params(extent, target.rect()), target.rect());
     });
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+      farthestStill_ = std::max(farthestStill_, std::fabs(double(image.pixels[i]) - double(still.pixels[i])));
+    EXPECT_LE(farthestStill_, 1e-6) << "the window and the saved picture part: " << tonemapper.id;
     std::vector<glm::vec3> shown(colours.size());
     for (std::size_t i = 0; i < shown.size(); ++i)
       shown[i] = glm::vec3(image.pixels[3 * i], image.pixels[3 * i + 1], image.pixels[3 * i + 2]);
@@ -56,6 +60,7 @@ class DisplayPass : public ::testing::Test {
   }
 
   static std::shared_ptr<gpu::Device> device_;
+  static inline double farthestStill_ = 0.0;  // between what is drawn and what is computed
 };
 
 std::shared_ptr<gpu::Device> DisplayPass::device_;
@@ -84,6 +89,7 @@ TEST_F(DisplayPass, row39_a_million_values_are_encoded_to_a_hundredth_of_a_code)
     }
   EXPECT_LE(worst, 0.01);
   measured("error of the sRGB curve, codes of 255", worst, 0.01);
+  measured("drawn against saved", farthestStill_, 1e-6);
   EXPECT_GT(worstGamma, 8.0) << "a plain power of 2.2 is not the sRGB curve";
 }
 

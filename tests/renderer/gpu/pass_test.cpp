@@ -8,8 +8,8 @@
 #include "renderer/gpu/barriers.hpp"
 #include "renderer/gpu/commands.hpp"
 #include "renderer/gpu/pass.hpp"
-#include "renderer/gpu/render_target.hpp"
 #include "renderer/scene/error.hpp"
+#include "tests/renderer/gpu/render_target.hpp"
 
 #include "add_comp.h"
 #include "position_frag.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An offscreen RGBA32F picture: the display pass draws into it what would be in the window.
+// An offscreen RGBA32F picture: what a pass would draw into the window, read back for the tests.
 #pragma once
 #include <vulkan/vulkan_raii.hpp>
 

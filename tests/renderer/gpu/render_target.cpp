@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The offscreen picture and its read-back.
-#include "renderer/gpu/render_target.hpp"
+#include "tests/renderer/gpu/render_target.hpp"
 
 #include <algorithm>
 #include <array>
