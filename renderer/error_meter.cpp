@@ -16,8 +16,7 @@ MeterReading ErrorMeter::read(const Film& film, bool errorMeter, double clampRad
     computeToCompute(cmd);
     pass_.dispatch(cmd, film.bindings(), film.params(errorMeter), film.meterGroups(), 1);
   });
-  const auto rows =
-      downloadAs<float>(device_, film.partials(), 0, std::size_t(film.meterGroups()) * METER_ROWS * 4);
+  const auto rows = downloadAs<float>(device_, film.partials(), 0, film.meterPartials() * METER_ROWS * 4);
   const auto counters = downloadAs<std::uint32_t>(device_, film.counters(), 0, COUNTERS);
   double sums[METER_ROWS * 4] = {};
   for (std::size_t i = 0; i < rows.size(); ++i) sums[i % std::size(sums)] += rows[i];

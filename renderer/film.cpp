@@ -8,8 +8,7 @@ using namespace gpu;
 Film::Film(const Device& device, Extent extent) : device_(device), extent_(extent) {
   const std::size_t bytes = pixels() * 16;
   for (Buffer& b : buffers_) b = Buffer(device, BufferKind::deviceLocal, bytes, "film");
-  partials_ =
-      Buffer(device, BufferKind::deviceLocal, std::size_t(meterGroups()) * METER_ROWS * 16, "error meter");
+  partials_ = Buffer(device, BufferKind::deviceLocal, meterPartials() * METER_ROWS * 16, "error meter");
   picked_ = Buffer(device, BufferKind::deviceLocal, PICK_ROWS * 16, "pick");
   counters_ = Buffer(device, BufferKind::deviceLocal, COUNTERS * 4, "counters");
 }
@@ -37,7 +36,7 @@ FilmParams Film::params(bool errorMeter) const {
   FilmParams p{};
   p.width = std::uint32_t(extent_.width);
   p.height = std::uint32_t(extent_.height);
-  p.splitRow = std::uint32_t(progress.rowsDone);
+  p.splitPixel = std::uint32_t(progress.rowsDone) * p.width;
   p.aheadA = halfRange(progress.begin, progress.passEnd, 0, errorMeter).count();
   p.aheadB = halfRange(progress.begin, progress.passEnd, 1, errorMeter).count();
   p.samplesA = halfRange(progress.begin, progress.done, 0, errorMeter).count();
@@ -47,7 +46,8 @@ FilmParams Film::params(bool errorMeter) const {
 }
 
 std::uint32_t Film::meterGroups() const {
-  return std::uint32_t((pixels() + METER_PIXELS - 1) / METER_PIXELS);
+  constexpr std::uint32_t perGroup = METER_GROUP * METER_PIXELS;
+  return std::uint32_t((pixels() + perGroup - 1) / perGroup);
 }
 
 HalfRange halfRange(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter) {

@@ -47,6 +47,8 @@ class Film {
   const gpu::Buffer& picked() const { return picked_; }
   const gpu::Buffer& counters() const { return counters_; }
   std::uint32_t meterGroups() const;
+  /// Invocations of the meter, each with a part of its own.
+  std::size_t meterPartials() const { return std::size_t(meterGroups()) * gpu::METER_GROUP; }
 
  private:
   const gpu::Device& device_;

@@ -326,7 +326,7 @@ std::pair<Image, Image> Renderer::halves() {
     const auto carry = downloadAs<float>(*impl_->device, film.buffers()[2 * half + 1], 0, film.pixels() * 4);
     Image image{film.extent().width, film.extent().height, 3, std::vector<float>(film.pixels() * 3)};
     for (std::size_t i = 0; i < film.pixels(); ++i) {
-      const bool ahead = i / p.width < p.splitRow;
+      const bool ahead = i < p.splitPixel;
       const double n = half == 0 ? (ahead ? p.aheadA : p.samplesA) : (ahead ? p.aheadB : p.samplesB);
       for (int c = 0; c < 3; ++c)
         image.pixels[i * 3 + c] = float((double(sum[i * 4 + c]) - carry[i * 4 + c]) / std::max(n, 1.0));

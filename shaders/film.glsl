@@ -12,7 +12,7 @@ layout(set = 0, binding = 4) buffer CarryB { vec4 carryB[]; };
 
 // Samples in each half of the pixel at this index.
 uvec2 halfSamples(FilmParams film, uint at) {
-  return at / film.width < film.splitRow ? uvec2(film.aheadA, film.aheadB) : uvec2(film.samplesA, film.samplesB);
+  return at < film.splitPixel ? uvec2(film.aheadA, film.aheadB) : uvec2(film.samplesA, film.samplesB);
 }
 
 #endif

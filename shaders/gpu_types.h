@@ -224,8 +224,8 @@ struct TraceParams {
 // Push constants of resolve.comp and meter.comp.
 struct FilmParams {
   uint width, height;
-  uint splitRow;            // rows above it already hold the pass in progress
-  uint aheadA, aheadB;      // samples of each half in those rows
+  uint splitPixel;          // pixels before it already hold the pass in progress
+  uint aheadA, aheadB;      // samples of each half in those
   uint samplesA, samplesB;  // and in the others
   float relativeFloor;      // 0.01: relMSE = d^2 / (mean^2 + floor)
 };
@@ -248,11 +248,11 @@ struct DisplayParams {
   float parameters[8];  // of the tonemapper
 };
 
-// One work group's part of the meter over METER_PIXELS, 2 rows: sum d^2, sum d^2/(mean^2+floor), closest
+// One invocation's part of the meter, over METER_PIXELS: 2 rows: sum d^2, sum d^2/(mean^2+floor), closest
 // rays, shadow rays | sum of the samples' luminance (nit), -, -, -
 GPU_CONST uint METER_ROWS = 2u;
 GPU_CONST uint METER_GROUP = 64u;
-GPU_CONST uint METER_PIXELS = 1024u;
+GPU_CONST uint METER_PIXELS = 64u;
 
 // Counters of a film (uint): NaN samples, faults, luminance cut by clamping (64 bits, CLAMPED_UNITS for what
 // the clamp lets pass).

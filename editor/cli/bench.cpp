@@ -34,8 +34,8 @@ struct Variant {
     const double before = onCpu ? vectorGflops() : 0.0;
     const StillResult result = renderStill(renderer, request);
     msPerSample.push_back(result.seconds * 1e3 / double(result.stats.samples));
-    mraysPerSecond.push_back(double(result.stats.raysClosest + result.stats.raysShadow) / result.seconds *
-                             1e-6);
+    mraysPerSecond.push_back(double(result.stats.raysClosest + result.stats.raysShadow) /
+                             result.stats.traceSeconds * 1e-6);
     if (onCpu)
       operationsPerRay.push_back(
           peakOperationsPerRay(0.5 * (before + vectorGflops()), mraysPerSecond.back()));

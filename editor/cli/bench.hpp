@@ -30,8 +30,8 @@ struct BenchOptions {
 };
 
 struct Throughput {
-  double msPerSample = 0.0;     // wall time of one sample for every pixel, median
-  double mraysPerSecond = 0.0;  // closest + shadow, wall time, median
+  double msPerSample = 0.0;     // wall time of one sample for every pixel, all measuring in it, median
+  double mraysPerSecond = 0.0;  // closest + shadow by the time of their dispatches, median
   /// On a CPU device, median: what the vector units gave around each run, in that time (yardstick.hpp).
   std::optional<double> operationsPerRay;
   VariantInfo variant;

@@ -155,6 +155,7 @@ TEST_F(Numerics, row17_no_inverse_trigonometry_and_no_pow_in_the_path_tracer) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STERADIAN_SHADER_SOURCES)) {
     if (entry.path().extension() != ".glsl" && entry.path().extension() != ".comp") continue;
+    if (entry.path().stem() == "display") continue;  // behind the tracer, once per pixel: sRGB is a power
     std::stringstream text;
     text << std::ifstream(entry.path()).rdbuf();
     const std::string source = text.str();
