@@ -2,6 +2,9 @@
 // One mesh: down the hierarchy over its triangles, nearer boxes first.
 // Two children a node: four in rows of the same form took 1.5 times as long on lavapipe and 1.0 to 1.08 times on an H100.
 // There, all triangles of a leaf in one turn: shadow rays 1.02 times as fast, diffuse ones 0.95 (bench --mesh, 900 to 1M).
+// Queues that sort rays by direction are not worth their memory: 262,144 diffuse rays sorted as one are 1.2 times as fast on
+// lavapipe, in blocks of 65,536 or fewer 1.05. What lanes lose by waiting for the longest of their 8 rays is more: 2.2 times
+// as fast with 8 equal rays, of which caches give 1.3 (300k triangles). Without the distances on the stack 0.68.
 #ifndef BVH_GLSL
 #define BVH_GLSL
 #include "alpha.glsl"

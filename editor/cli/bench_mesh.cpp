@@ -67,6 +67,14 @@ bool differs(const CastHit& ours, float theirs, bool any) {
          std::abs(ours.t - theirs) > 1e-4f * theirs + 1e-5f;  // some metres are rounded to 1e-6
 }
 
+double meanVisits(const MeshBvh& bvh, const std::vector<CastRay>& rays, const std::vector<CastHit>& hits) {
+  const std::size_t step = rays.size() / 4096 + 1;  // enough for two digits
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rays.size(); i += step)
+    sum += visitsBefore(bvh, rays[i].o, rays[i].d, hits[i].t);
+  return sum * double(step) / double(rays.size());
+}
+
 MeshRays measure(RayCaster& caster, const PeerMesh& peer, const std::vector<CastRay>& rays, const char* kind,
                  bool any, const MeshBenchOptions& options, std::vector<CastHit>* hits) {
   MeshRays out{kind, rays.size()};
@@ -124,9 +132,11 @@ MeshBenchResult measureSize(const std::shared_ptr<gpu::Device>& device, const Pe
   const std::vector<CastRay> primary = benchPrimaryRays(side);
   std::vector<CastHit> hits;
   result.rays.push_back(measure(caster, peerMesh, primary, "primary", false, own, &hits));
+  result.rays.back().visits = meanVisits(*bvh, primary, hits);
   const SecondaryRays next = benchSecondaryRays(primary, hits, *mesh, *bvh);
   result.rays.push_back(measure(caster, peerMesh, next.shadow, "shadow", true, own, nullptr));
-  result.rays.push_back(measure(caster, peerMesh, next.diffuse, "diffuse", false, own, nullptr));
+  result.rays.push_back(measure(caster, peerMesh, next.diffuse, "diffuse", false, own, &hits));
+  result.rays.back().visits = meanVisits(*bvh, next.diffuse, hits);
   return result;
 }
 

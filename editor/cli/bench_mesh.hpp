@@ -25,6 +25,7 @@ struct MeshRays {
   std::string kind;
   std::size_t rays = 0;
   double mraysPerSecond = 0.0;
+  std::optional<double> visits;       // nodes and triangles that a ray must test, mean; of closest hits
   std::optional<double> embree;       // Mrays/s
   std::optional<double> disagreeing;  // share of rays whose hit or distance differs by more than rounding
 };

@@ -24,10 +24,15 @@ std::string textOf(const MeshBench& bench) {
                   perMillion(*r.embreeBuildSeconds, r.triangles));
     for (const MeshRays& rays : r.rays) {
       out += line("  %-8s %9.2f Mrays/s", rays.kind.c_str(), rays.mraysPerSecond);
-      if (!rays.embree) continue;
-      out.pop_back();
-      out += line("   Embree %7.2f   ratio %.2f   %.4f %% differ", *rays.embree,
-                  rays.mraysPerSecond / *rays.embree, 100.0 * rays.disagreeing.value_or(0.0));
+      if (rays.embree) {
+        out.pop_back();
+        out += line("   Embree %7.2f   ratio %.2f   %.4f %% differ", *rays.embree,
+                    rays.mraysPerSecond / *rays.embree, 100.0 * rays.disagreeing.value_or(0.0));
+      }
+      if (rays.visits) {
+        out.pop_back();
+        out += line("   %.1f tests a ray", *rays.visits);
+      }
     }
   }
   return out;
@@ -41,6 +46,7 @@ std::string jsonOf(const MeshBench& bench) {
       rays.push_back({{"kind", k.kind},
                       {"rays", k.rays},
                       {"mraysPerSecond", k.mraysPerSecond},
+                      {"testsPerRay", jsonOf(k.visits)},
                       {"embreeMraysPerSecond", jsonOf(k.embree)},
                       {"disagreeing", jsonOf(k.disagreeing)}});
     sizes.push_back({{"triangles", r.triangles},

@@ -44,4 +44,8 @@ void refit(MeshBvh& bvh, std::span<const glm::vec3> positions, std::span<const g
 /// Loop turns that the traversal of the worst of `rays` random rays takes.
 double probeSteps(const MeshBvh& bvh, int rays);
 
+/// Nodes and triangles that a ray (mesh coordinates, unit direction) tests at least to know its hit at
+/// `length`.
+double visitsBefore(const MeshBvh& bvh, const glm::dvec3& origin, const glm::dvec3& direction, double length);
+
 }  // namespace steradian

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <random>
 #include <set>
 
 #include "renderer/mesh/grid.hpp"
@@ -167,6 +168,27 @@ TEST(Bvh, a_ray_meets_few_nodes_and_the_worst_grows_slowly) {
     EXPECT_LT(steps, 40.0 + 6.0 * side);
     before = steps;
   }
+}
+
+TEST(Bvh, the_tests_of_a_ray_grow_with_the_logarithm_of_the_triangles) {
+  std::vector<double> means;
+  for (const int side : {10, 40, 160, 640}) {  // 16 times the triangles each
+    const Mesh mesh = meshes::terrain(side, hills);
+    const MeshBvh bvh = buildBvh(mesh.positions, mesh.triangles);
+    std::mt19937 random(3);
+    double sum = 0.0;
+    constexpr int rays = 2000;
+    for (int i = 0; i < rays; ++i) {
+      const auto coordinate = [&] { return double(random()) * 0x1p-31 - 1.0; };
+      const glm::dvec3 above(coordinate(), 3.0, coordinate());
+      sum += visitsBefore(bvh, above, glm::normalize(glm::dvec3(0.1, -1.0, 0.05)), 100.0);
+    }
+    means.push_back(sum / rays);
+    EXPECT_LT(visitsBefore(bvh, {0.0, 3.0, 0.0}, {0.0, -1.0, 0.0}, 0.1), 2.0) << "ends above everything";
+  }
+  for (std::size_t i = 2; i < means.size(); ++i)
+    EXPECT_LT(means[i] - means[i - 1], 1.3 * (means[i - 1] - means[i - 2])) << means[i];
+  EXPECT_GT(means[0], 3.0);
 }
 
 }  // namespace
