@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 #include "renderer/convergence.hpp"
@@ -23,9 +22,11 @@ struct RowRange {
 Image rgbOf(const gpu::Device& device, const gpu::Buffer& sums, int width, RowRange rows) {
   const int height = rows.end - rows.begin;
   const std::size_t before = std::size_t(width) * rows.begin, pixels = std::size_t(width) * height;
-  const auto rgba = gpu::downloadAs<float>(device, sums, before * 4 * sizeof(float), pixels * 4);
+  const gpu::Buffer rgba =
+      gpu::readBack(device, sums, before * sizeof(glm::vec4), pixels * sizeof(glm::vec4));
   Image image{width, height, 3, std::vector<float>(pixels * 3)};
-  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&rgba[i * 4], 3, &image.pixels[i * 3]);
+  for (std::size_t i = 0; i < pixels; ++i)
+    std::memcpy(&image.pixels[i * 3], rgba.map() + i * sizeof(glm::vec4), 3 * sizeof(float));
   return image;
 }
 
@@ -124,7 +125,9 @@ std::uint64_t Renderer::sceneFingerprint() const {
 
 ErrorTails Renderer::measureTails() {
   impl_->tailSquares.clear();
-  while (!measureTails(std::numeric_limits<std::size_t>::max())) {
+  constexpr std::size_t cached =
+      1 << 15;  // pixels, whose sums fit a CPU cache: .65 of the time of all at once
+  while (!measureTails(cached)) {
   }
   return impl_->stats.error.tails;
 }

@@ -136,17 +136,16 @@ void Buffer::write(std::size_t offset, std::span<const std::byte> bytes) {
   });
 }
 
-std::vector<std::byte> download(const Device& device, const Buffer& buffer, std::size_t offset,
-                                std::size_t bytes, QueueKind owner) {
-  assert(offset + bytes <= buffer.size());
-  if (bytes == 0) return {};
-  const Buffer staging(device, BufferKind::readback, bytes, "read-back");
+Buffer readBack(const Device& device, const Buffer& buffer, std::size_t offset, std::size_t bytes,
+                QueueKind owner) {
+  assert(bytes > 0 && offset + bytes <= buffer.size());
+  Buffer staging(device, BufferKind::readback, bytes, "read-back");
   device.run(owner, [&](const vk::raii::CommandBuffer& cmd) {
     computeToTransfer(cmd);
     cmd.copyBuffer(buffer.handle(), staging.handle(), vk::BufferCopy(offset, 0, bytes));
     transferToHost(cmd);
   });
-  return {staging.map(), staging.map() + bytes};
+  return staging;
 }
 
 void fillZero(const Device& device, const Buffer& buffer, QueueKind owner) {

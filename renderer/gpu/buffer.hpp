@@ -13,7 +13,7 @@
 namespace steradian::gpu {
 
 enum class BufferKind {
-  deviceLocal,  // storage: the film; written and read by shaders, read by download()
+  deviceLocal,  // storage: the film; written and read by shaders, read by readBack()
   upload,       // storage + uniform texels: scene rows; written by write(), read by shaders. Lies on the
                 // device; write() goes through a staging buffer when the host cannot reach that memory
   texelRows,    // as upload, but uniform RGBA32F texels only: may be larger than one storage binding
@@ -61,18 +61,20 @@ class Buffer {
   std::byte* mapped_ = nullptr;
 };
 
-/// Copies [offset, offset + bytes) to the host on the queue that owns the buffer; waits for earlier
-/// submissions to that queue by a barrier. Offsets and sizes are multiples of 4 bytes.
-std::vector<std::byte> download(const Device& device, const Buffer& buffer, std::size_t offset,
-                                std::size_t bytes, QueueKind owner = QueueKind::compute);
+/// [offset, offset + bytes) in host memory, copied on the queue that owns the buffer; waits for earlier
+/// submissions to that queue by a barrier. Offsets and sizes are multiples of 4 bytes, at least 4.
+Buffer readBack(const Device& device, const Buffer& buffer, std::size_t offset, std::size_t bytes,
+                QueueKind owner = QueueKind::compute);
 
-/// The same as an array of T.
+/// The same as an array of T, which may be empty.
 template <class T>
 std::vector<T> downloadAs(const Device& device, const Buffer& buffer, std::size_t firstByte,
                           std::size_t count, QueueKind owner = QueueKind::compute) {
-  const std::vector<std::byte> bytes = download(device, buffer, firstByte, count * sizeof(T), owner);
   std::vector<T> values(count);
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  if (count > 0) {
+    const Buffer bytes = readBack(device, buffer, firstByte, count * sizeof(T), owner);
+    std::memcpy(values.data(), bytes.map(), count * sizeof(T));
+  }
   return values;
 }
 
