@@ -25,7 +25,7 @@ std::uint64_t listedShapes(const gpu::TraceParams& p) {
 std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples,
                                   double traversalSteps) {
   // Every loop also counts its last, failing test; the generic variant makes that test of all loops.
-  constexpr std::uint64_t loopsPerTraversal = 8;
+  constexpr std::uint64_t loopsPerTraversal = 10;
   const std::uint64_t traversal = listedShapes(params) + loopsPerTraversal + std::uint64_t(traversalSteps);
   const bool sky = (params.flags & gpu::TRACE_ENVIRONMENT) != 0;
   const bool someLights = params.lightCount > lightSamples;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Surfaces that are there only in part: each is met or passed as a whole, in proportion to its opacity. Rays that shade
-// and rays to lights decide alike, while they look for the nearest hit, so that passing costs no bounce.
+// and rays to lights decide alike, about one nearest surface after the other, so that passing costs no bounce.
 #ifndef ALPHA_GLSL
 #define ALPHA_GLSL
 #include "mesh_attributes.glsl"

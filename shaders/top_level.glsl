@@ -3,6 +3,7 @@
 // primitive, whose index tells its kind.
 #ifndef TOP_LEVEL_GLSL
 #define TOP_LEVEL_GLSL
+#include "alpha.glsl"
 #include "bvh.glsl"
 #include "primitives.glsl"
 
@@ -14,8 +15,8 @@ float topEnter[TOP_LEVEL_DEPTH + 1u];
 uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
   vec4 lowA = fetchRow(row);
   vec4 lowB = fetchRow(row + 2u);
-  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, tMax);
-  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, tMax);
+  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, 0.0, tMax);
+  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, 0.0, tMax);
   Order o = inOrder(enterA, enterB, lowA.w, lowB.w);
   uint popped = unlessBeyond(topStack[height - 1u], topEnter[height - 1u], tMax);
   topStack[height] = o.later;
@@ -25,6 +26,12 @@ uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
   return o.none ? popped : o.next;
 }
 
+// Whether the mesh is there only in part: then its nearest surface has to be found before it is decided about.
+bool isPartial(uint primitive) {
+  uint row = params.materialRow + primitive * MATERIAL_ROWS;
+  return kAlpha && (floatBitsToUint(fetchRow(row + 1u).w) & MATERIAL_ALPHA) != 0u;
+}
+
 // `any`: a mesh that touches the light must not hide it by the last digits of its place, so the ray ends a little earlier.
 void hitInstance(inout Hit hit, Ray ray, uint primitive, bool there, bool any, Layout l) {
   uint row = instanceRow(l, primitive);
@@ -32,7 +39,8 @@ void hitInstance(inout Hit hit, Ray ray, uint primitive, bool there, bool any, L
   vec4 bits = fetchRow(row + 3u);
   float end = any ? hit.t - 1e-6 * (hit.t + maxComponent(abs(ray.o))) : hit.t;
   Hit mesh = Hit(end, hit.primitive, hit.triangle);
-  hitMesh(mesh, local, there ? 0u : BVH_END, floatBitsToUint(bits.x), floatBitsToUint(bits.y), primitive, any);
+  hitMesh(mesh, local, there ? 0u : BVH_END, floatBitsToUint(bits.x), floatBitsToUint(bits.y), primitive,
+          any && !isPartial(primitive));
   hit.t = mesh.t < end ? mesh.t : hit.t;
   hit.primitive = mesh.primitive;
   hit.triangle = mesh.triangle;
@@ -66,15 +74,42 @@ void hitTopLevel(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
       hitInstance(hit, ray, mesh ? primitive : l.instance, mesh, any, l);
     }
     height = max(height, 1u) - 1u;
-    node = any && hit.t < tMax ? BVH_END : topStack[height];
+    bool enough = any && hit.t < tMax;
+    if (kAlpha && kMeshes) enough = enough && !(hit.triangle != 0u && isPartial(hit.primitive));
+    node = enough ? BVH_END : topStack[height];
   }
   traversalCut = traversalCut || node != BVH_END;
 }
 
-// Everything that lies in the hierarchy; `any`: the first hit found is enough.
-void hitHierarchy(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
+void hitBehindPassed(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
   if (kOneInstance) hitInstance(hit, ray, l.instance, true, any, l);
   else hitTopLevel(hit, ray, target, any, l);
+}
+
+// Whether the ray goes on through the surface of a mesh that it met.
+bool passes(Hit hit, Ray ray, Layout l) {
+  uint primitive = clamp(hit.primitive, l.instance, l.end - 1u);
+  uint row = instanceRow(l, primitive);
+  LocalRay local = toUnit(ray.o, ray.d, fetchRow(row), fetchRow(row + 1u), fetchRow(row + 2u));
+  TriangleHit found = hitTriangle(local.o, shearAlong(local.d), fetchMesh(hit.triangle).xyz, fetchMesh(hit.triangle + 1u).xyz,
+                                  fetchMesh(hit.triangle + 2u).xyz);
+  return hit.triangle != 0u && isPartial(primitive) && !isMet(primitive, hit.triangle, found.weights);
+}
+
+// Everything that lies in the hierarchy; `any`: the first hit found is enough. Opacity is looked up for the nearest surface
+// only, and the search begins again behind one that the ray passes: drivers that run both sides of every branch would look it
+// up for every triangle that is tested (1.7 times the time on such a scene).
+void hitHierarchy(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
+  Hit begin = hit;
+  passed = Hit(0.0, 0u, 0u);
+  bool again = kAlpha && kMeshes;
+  if (!again) hitBehindPassed(hit, ray, target, any, l);
+  while (again) {
+    hit = begin;
+    hitBehindPassed(hit, ray, target, any, l);
+    again = passes(hit, ray, l);
+    passed = hit;
+  }
 }
 
 #endif

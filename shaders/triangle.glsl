@@ -81,11 +81,11 @@ BoxRay boxRay(vec3 o, vec3 d, float margin) {
   return BoxRay(inverse, (o + vec3(e)) * inverse, (o - vec3(e)) * inverse);
 }
 
-// Where the ray enters the box, or INFINITE when it does not before tMax.
-float enterBox(BoxRay ray, vec3 low, vec3 high, float tMax) {
+// Where the ray enters the box, or INFINITE when it does not between tMin and tMax.
+float enterBox(BoxRay ray, vec3 low, vec3 high, float tMin, float tMax) {
   vec3 a = low * ray.inverse - ray.low;
   vec3 b = high * ray.inverse - ray.high;
-  float enter = max(max(min(a.x, b.x), min(a.y, b.y)), max(min(a.z, b.z), 0.0));
+  float enter = max(max(min(a.x, b.x), min(a.y, b.y)), max(min(a.z, b.z), tMin));
   float leave = min(min(max(a.x, b.x), max(a.y, b.y)), min(max(a.z, b.z), tMax));
   return enter <= leave ? enter : INFINITE;
 }

@@ -33,6 +33,35 @@ TEST_F(Alpha, each_of_many_veils_lets_its_share_through_and_costs_no_bounce) {
   }
 }
 
+TEST_F(Alpha, veils_at_one_place_count_each_whether_of_one_mesh_or_of_several) {
+  for (const int copies : {1, 3}) {
+    Mesh mesh = picture();
+    const auto once = mesh.triangles;
+    for (int i = 1; i < copies; ++i) mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
+    Scene scene = plainScene(0);
+    const Id black = add(scene, veil(0.2f, lambert(glm::vec3(0.0f))));
+    for (int i = 0; i < 4; ++i) add(scene, at({0, 0, 0}), shape(mesh), black);
+    add(scene, at({0, 0, -1}, {1, 0, 0}, 0.0, dvec3(2.0)), shape(picture()), emitter(1.0f));
+    expectMean(meanOf(frontal(scene, 256)), std::pow(0.8, 4 * copies), 0.003);
+  }
+}
+
+TEST_F(Alpha, a_shadow_ray_finds_what_is_solid_behind_and_before_veils) {
+  for (const double solidAt : {0.5, 2.5}) {
+    Scene scene = plainScene(0);
+    const Id grey = add(scene, veil(0.3f, lambert(glm::vec3(0.0f))));
+    add(scene, at({0, 0, 0}), shape(picture()), lambert(glm::vec3(0.8f)));
+    const auto beside = [](double along) { return dvec3(4.0 + along, 0.0, 4.0 + along); };
+    for (int i = 0; i < 3; ++i)
+      add(scene, at(beside(i), {0, 1, 0}, pi / 4, dvec3(3.0)), shape(picture()), grey);
+    addLight(scene, {{0, 0, 0}, facing({-1, 0, -1}), dvec3(1.0)}, DirectionalLight{}, 1.0f);
+    expectMean(meanOf(frontal(scene, 256)), 0.343 * 0.8 / pi * std::sqrt(0.5), 0.003);
+    add(scene, at(beside(solidAt), {0, 1, 0}, pi / 4, dvec3(3.0)), shape(picture()),
+        lambert(glm::vec3(0.0f)));
+    EXPECT_EQ(meanOf(frontal(scene, 16)).value, 0.0) << "solid at " << solidAt;
+  }
+}
+
 TEST_F(Alpha, light_comes_through_a_veil_in_proportion) {
   Scene scene = plainScene(0);
   const Id grey = add(scene, veil(0.35f, lambert(glm::vec3(0.0f))));
