@@ -7,7 +7,7 @@ using namespace gpu;
 
 Film::Film(const Device& device, Extent extent) : device_(device), extent_(extent) {
   const std::size_t bytes = pixels() * 16;
-  for (Buffer& b : buffers_) b = Buffer(device, BufferKind::deviceLocal, bytes, "film");
+  for (Buffer& b : buffers_) b = Buffer(device, BufferKind::film, bytes, "film");
   partials_ = Buffer(device, BufferKind::deviceLocal, meterPartials() * METER_ROWS * 16, "error meter");
   picked_ = Buffer(device, BufferKind::deviceLocal, PICK_ROWS * 16, "pick");
   counters_ = Buffer(device, BufferKind::deviceLocal, COUNTERS * 4, "counters");
@@ -15,8 +15,10 @@ Film::Film(const Device& device, Extent extent) : device_(device), extent_(exten
 
 void Film::bind(const TexelBuffers& scene) {
   const auto& b = buffers_;
-  const Buffer* const all[] = {&b[0], &b[1], &b[2], &b[3], nullptr, &partials_, &picked_};
-  bindings_.emplace(device_, scene, all);
+  const Buffer* const written[] = {nullptr, nullptr, nullptr, nullptr, nullptr, &partials_, &picked_};
+  TexelBuffers read = scene;
+  read.film = {&b[0], &b[1], &b[2], &b[3]};
+  bindings_.emplace(device_, read, written);
   halfBindings_.clear();
   for (const int half : {0, 1}) {
     const Buffer* const own[] = {&b[2 * half], &b[2 * half + 1], nullptr, nullptr, &counters_};

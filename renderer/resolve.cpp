@@ -13,9 +13,10 @@ void ResolvedPicture::prepare(const Device& device, std::shared_ptr<const Film> 
   if (buffer_.size() < bytes) buffer_ = Buffer(device, BufferKind::deviceLocal, bytes, "resolved film");
   film_ = std::move(film);
   const auto& b = film_->buffers();
-  const Buffer* const all[] = {&b[0], &b[1], &b[2], &b[3], &buffer_};
   const Buffer* const shown[] = {nullptr, nullptr, nullptr, nullptr, &buffer_};
-  resolving_.emplace(device, gpu::TexelBuffers{}, all);
+  gpu::TexelBuffers read;
+  read.film = {&b[0], &b[1], &b[2], &b[3]};
+  resolving_.emplace(device, read, shown);
   displaying_.emplace(device, gpu::TexelBuffers{}, shown);
 }
 

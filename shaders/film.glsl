@@ -5,10 +5,12 @@
 #define FILM_GLSL
 #include "gpu_types.h"
 
-layout(set = 0, binding = 1) buffer SumA { vec4 sumA[]; };
-layout(set = 0, binding = 2) buffer CarryA { vec4 carryA[]; };
-layout(set = 0, binding = 3) buffer SumB { vec4 sumB[]; };
-layout(set = 0, binding = 4) buffer CarryB { vec4 carryB[]; };
+layout(set = 0, binding = 11) uniform samplerBuffer sumA;
+layout(set = 0, binding = 12) uniform samplerBuffer carryA;
+layout(set = 0, binding = 13) uniform samplerBuffer sumB;
+layout(set = 0, binding = 14) uniform samplerBuffer carryB;
+
+vec4 fetchFilm(samplerBuffer film, uint at) { return texelFetch(film, int(at)); }
 
 // Samples in each half of the pixel at this index.
 uvec2 halfSamples(FilmParams film, uint at) {

@@ -17,11 +17,17 @@ using Memory = vk::MemoryPropertyFlagBits;
 
 // 0 = no texel view.
 std::size_t texelBytes(BufferKind kind) {
-  if (kind == BufferKind::upload || kind == BufferKind::texelRows) return 16;  // RGBA32F
-  return kind == BufferKind::texelWords ? 4 : 0;                               // R32UI
+  switch (kind) {
+    case BufferKind::film:
+    case BufferKind::upload:
+    case BufferKind::texelRows:
+      return 16;  // RGBA32F
+    default:
+      return kind == BufferKind::texelWords ? 4 : 0;  // R32UI
+  }
 }
 bool holdsStorage(BufferKind kind) {
-  return kind == BufferKind::deviceLocal || kind == BufferKind::upload;
+  return kind == BufferKind::deviceLocal || kind == BufferKind::film || kind == BufferKind::upload;
 }
 constexpr vk::MemoryPropertyFlags onHost = Memory::eHostVisible | Memory::eHostCoherent;
 
@@ -30,6 +36,7 @@ vk::BufferUsageFlags usageOf(BufferKind kind) {
   switch (kind) {
     case BufferKind::deviceLocal:
       return copies | Usage::eStorageBuffer;
+    case BufferKind::film:
     case BufferKind::upload:
       return copies | Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
     case BufferKind::texelRows:
@@ -44,6 +51,7 @@ vk::BufferUsageFlags usageOf(BufferKind kind) {
 std::vector<vk::MemoryPropertyFlags> wishesOf(BufferKind kind) {
   switch (kind) {
     case BufferKind::deviceLocal:
+    case BufferKind::film:
       return {Memory::eDeviceLocal, {}};
     case BufferKind::upload:
     case BufferKind::texelRows:

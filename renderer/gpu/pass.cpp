@@ -21,6 +21,8 @@ vk::raii::DescriptorSetLayout makeSetLayout(const Device& device) {
     bindings.push_back({i, vk::DescriptorType::eStorageBuffer, 1, stages});
   for (const std::uint32_t i : {tablesBinding, meshesBinding, texelsBinding})
     bindings.push_back({i, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
+  for (std::uint32_t i = 0; i < filmBuffers; ++i)
+    bindings.push_back({filmBinding + i, vk::DescriptorType::eUniformTexelBuffer, 1, stages});
   const vk::DescriptorSetLayoutCreateInfo info({}, bindings);
   return checked(device, "creating the descriptor layout",
                  [&] { return vk::raii::DescriptorSetLayout(device.handle(), info); });
@@ -100,7 +102,7 @@ PassLayout::PassLayout(const Device& device)
 Bindings::Bindings(const Device& device, const TexelBuffers& scene, std::span<const Buffer* const> storage) {
   assert(storage.size() <= storageBindings);
   const PassLayout& layout = device.passLayout();
-  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 4),
+  const std::array sizes = {vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 4 + filmBuffers),
                             vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, storageBindings)};
   const vk::DescriptorPoolCreateInfo poolInfo({}, 1, sizes);
   const vk::DescriptorSetLayout setLayout = layout.set();
@@ -121,6 +123,8 @@ Bindings::Bindings(const Device& device, const TexelBuffers& scene, std::span<co
   writeTexels(device, tablesBinding, scene.tables, layout.dummy());
   writeTexels(device, meshesBinding, scene.meshes, layout.dummy());
   writeTexels(device, texelsBinding, scene.texels, layout.dummyWords());
+  for (std::uint32_t i = 0; i < filmBuffers; ++i)
+    writeTexels(device, filmBinding + i, scene.film[i], layout.dummy());
 }
 
 void Bindings::writeTexels(const Device& device, std::uint32_t binding, const Buffer* buffer,

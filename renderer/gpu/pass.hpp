@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A shader with its pipeline. All passes share one layout: storage buffers at bindings 1..7, texel buffers at
-// 0 and from 8 on.
+// 0 and from 8 on, of which the last are the film.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,14 +18,16 @@ inline constexpr std::uint32_t storageBindings = 7;  // bindings 1..7 of set 0
 inline constexpr std::uint32_t tablesBinding = 8;
 inline constexpr std::uint32_t meshesBinding = 9;
 inline constexpr std::uint32_t texelsBinding = 10;
+inline constexpr std::uint32_t filmBinding = 11;
+inline constexpr std::uint32_t filmBuffers = 4;
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
 /// What a GraphicsPass draws into, as Swapchain hands it out.
 using TargetPass = vk::RenderPass;
 
-/// Owned by Device, the same for every pass: set 0 = { 0, 8, 9: samplerBuffer, 10: usamplerBuffer, 1..7:
-/// storage buffers } for compute and fragment shaders, 128 bytes of push constants for compute, vertex and
-/// fragment shaders.
+/// Owned by Device, the same for every pass: set 0 = { 0, 8, 9, 11..14: samplerBuffer, 10:
+/// usamplerBuffer, 1..7: storage buffers } for compute and fragment shaders, 128 bytes of push constants for
+/// compute, vertex and fragment shaders.
 class PassLayout {
  public:
   explicit PassLayout(const Device& device);
@@ -40,12 +42,13 @@ class PassLayout {
   Buffer dummy_, dummyWords_;
 };
 
-/// The texel buffers of a scene, by binding; null or empty = not used.
+/// The texel buffers of a scene and of a film, by binding; null or empty = not used.
 struct TexelBuffers {
-  const Buffer* rows = nullptr;    // 0, kind upload
-  const Buffer* tables = nullptr;  // 8, kind texelRows
-  const Buffer* meshes = nullptr;  // 9, kind texelRows
-  const Buffer* texels = nullptr;  // 10, kind texelWords
+  const Buffer* rows = nullptr;                   // 0, kind upload
+  const Buffer* tables = nullptr;                 // 8, kind texelRows
+  const Buffer* meshes = nullptr;                 // 9, kind texelRows
+  const Buffer* texels = nullptr;                 // 10, kind texelWords
+  std::array<const Buffer*, filmBuffers> film{};  // from 11 on, kind film
 };
 
 /// Which buffers a pass sees. Immutable; the buffers must outlive its use. Null or empty = not used.
