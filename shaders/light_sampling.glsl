@@ -30,7 +30,8 @@ vec3 coneDirection(vec3 axis, float x, float turn) {
 float conePdf(float x) { return 1.0 / (2.0 * PI * x); }
 
 // A sphere as a point sees it: the cone that it fills, which is everything from inside. On its own surface rounding
-// would decide between outside and inside: there the cone is the hemisphere towards the centre, right for both.
+// would decide between outside and inside: there the cone is the hemisphere towards the centre, right for both, and what is
+// met along it is the far side.
 struct SphereView {
   vec3 axis;
   float distance2;  // to the centre
@@ -48,7 +49,7 @@ SphereView sphereView(vec3 p, vec3 centre, float radius) {
   view.axis = d2 > 1e-36 ? f * inv : vec3(0.0, 0.0, 1.0);
   view.distance2 = d2;
   view.inside = d2 * inv < radius - rounding;
-  view.touching = !view.inside && d2 <= radius * radius;
+  view.touching = !view.inside && d2 * inv <= radius + rounding;
   float seen = view.touching ? 1.0 : oneMinusCos(min(radius * radius * inv * inv, 1.0));
   view.cone = view.inside ? 2.0 : seen;
   return view;
@@ -59,7 +60,7 @@ LightDirection sampleSphere(vec3 p, vec3 centre, float radius, float u, float v)
   float x = u * view.cone;
   float along = sqrt(view.distance2) * (1.0 - x);
   float chord = sqrt(max(radius * radius - view.distance2 * x * (2.0 - x), 0.0));
-  float t = view.inside ? along + chord : max(along - chord, 0.0);
+  float t = view.inside || view.touching ? along + chord : max(along - chord, 0.0);
   return LightDirection(coneDirection(view.axis, x, v), t, conePdf(view.cone));
 }
 

@@ -16,7 +16,7 @@ struct Path {
   vec3 throughput;
   vec3 radiance;
   float pdf;        // of the ray's direction, per solid angle; 0 = camera ray or perfect mirror, no light sample rivals it
-  vec3 absorption;  // 1/m, of the solid that the ray runs through
+  vec3 absorption;  // 1/m, of the solids that the ray runs through
   uint bounce;
   uint index;       // of the sample
   float width;      // of the cone of rays around this one, for textures: metres where the ray starts,
@@ -34,6 +34,7 @@ struct Vertex {
   bool mesh;    // its shading normal need not be that of the facet
   uint primitive;
   uint triangle;  // of a mesh: its first row
+  vec3 absorption;  // 1/m, on the way here
   uint seed, index, bounce;  // for this vertex' random numbers
 };
 
@@ -45,6 +46,9 @@ struct Tally {
   uint missing;
   float clamped;  // luminance cut off, nit
 };
+
+// Metres that a ray to the sky runs through what absorbs: not endless, for a difference of absorptions keeps last digits.
+const float WAY_TO_SKY = 1e4;
 
 // Light that is sampled at the last vertex may also be met just behind it; both halves of the estimate are needed.
 uint lastBounce() { return params.maxBounces + ((params.flags & TRACE_MET_LIGHTS) != 0u ? 1u : 0u); }
@@ -77,6 +81,12 @@ Ray leaving(Vertex v, vec3 wi, vec3 local) {
   return Ray(o, wi, v.primitive, v.inside != through);
 }
 
+// 1/m, along a ray that leaves in local direction `local`. Solids may lie within each other.
+vec3 absorptionTowards(Vertex v, vec3 local) {
+  vec3 beyond = v.inside ? max(v.absorption - v.material.absorption, vec3(0.0)) : v.absorption + v.material.absorption;
+  return kTransmission && local.z < 0.0 && !v.thin ? beyond : v.absorption;
+}
+
 // The nearest hit of the path's ray, which decides about half transparent surfaces in its own way.
 Hit nextHit(Path path, uint seed, Layout l) {
   seedAlpha(seed, path.index, 2u * path.bounce);
@@ -102,12 +112,34 @@ vec3 unshadowedLight(LightSample s, float samples, Vertex v, Lobes lobes) {
   return keepsSide(v, s.wi, local) ? f : vec3(0.0);
 }
 
+// A ray to a light sample, and its length. Where it starts beside the surface of a mesh it is aimed anew: a shift as long as
+// the gap that keeps the facet of a glowing mesh from shadowing itself would close that.
+struct ShadowRay {
+  Ray ray;
+  float end;
+};
+
+ShadowRay shadowRay(LightSample s, Vertex v, vec3 local) {
+  ShadowRay shadow = ShadowRay(leaving(v, s.wi, local), s.distance);
+  if (kMeshLights) {
+    vec3 rest = (v.surface.p - shadow.ray.o) + s.wi * s.distance;
+    float end = length(rest);
+    bool shifted = v.surface.offset > 0.0 && s.distance < INFINITE && end > 0.0;
+    shadow.ray.d = shifted ? rest / end : shadow.ray.d;
+    shadow.end = shifted ? end : shadow.end;
+  }
+  return shadow;
+}
+
 // Less what is in between.
 vec3 shadowedLight(LightSample s, vec3 f, Vertex v, inout Tally tally, Layout l) {
   bool needed = maxComponent(f) > 0.0;
   seedAlpha(v.seed, v.index, 2u * v.bounce + 1u);
   tally.shadowRays += needed ? 1u : 0u;
-  bool visible = needed && !occluded(leaving(v, s.wi, toLocal(v.frame, s.wi)), s.distance, s.primitive, l);
+  vec3 local = toLocal(v.frame, s.wi);
+  ShadowRay shadow = shadowRay(s, v, local);
+  bool visible = needed && !occluded(shadow.ray, shadow.end, s.primitive, l);
+  if (kAbsorption) f *= exp(-absorptionTowards(v, local) * s.distance);
   return visible ? f : vec3(0.0);
 }
 
@@ -120,8 +152,9 @@ LightSample lightSampleAt(LightRows light, Vertex v, uint slot) {
   SamplePair pair = SamplePair(0.5, 0.5);
   if (kAreaLights || kSuns) pair = lightPair(v, slot);
   LightSample s = sampleLight(light, v.surface.p, pair.x, pair.y);
-  // A convex solid does not light itself, whatever side of its surface rounding puts the point on.
-  if (isSolidLight(uint(light.a.w)) && v.primitive == s.primitive && !v.inside) s.illuminance = vec3(0.0);
+  // A convex solid lights itself through its inside alone, whatever side of its surface rounding puts the point on.
+  bool outwards = dot(v.surface.normal, s.wi) >= 0.0;
+  if (isSolidLight(uint(light.a.w)) && v.primitive == s.primitive && outwards) s.illuminance = vec3(0.0);
   if (isMeshLight(light)) {
     s = sampleMeshLight(light, v.surface.p, pair.x, pair.y, primitiveLayout());
     // A point in the plane of the facet gives it nothing; rounding must not lift it above.
@@ -254,6 +287,7 @@ Vertex vertexAt(Hit hit, Path path, uint seed, Layout l) {
   v.seed = seed;
   v.index = path.index;
   v.bounce = path.bounce;
+  v.absorption = path.absorption;
   return v;
 }
 
@@ -271,10 +305,7 @@ void goOn(inout Path path, float t, Vertex v, BsdfSample next) {
     path.width += path.spread * t;
     path.spread = max(path.spread, next.pdf > 0.0 ? 0.125 * inversesqrt(next.pdf) : 0.0);
   }
-  if (kAbsorption && kTransmission) {
-    bool crossed = next.wi.z < 0.0 && !v.thin;
-    path.absorption = crossed ? (v.inside ? vec3(0.0) : v.material.absorption) : path.absorption;
-  }
+  if (kAbsorption) path.absorption = absorptionTowards(v, next.wi);
 }
 
 Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint seed, uint index) {

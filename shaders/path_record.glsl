@@ -66,7 +66,7 @@ BsdfSample nextDirection(Vertex v) {
   return sampleBsdf(lobesOf(v), v.wo, pair.x, pair.y, lobeKinds());
 }
 
-// The solid's absorption on the way to a hit at t.
+// Less what is absorbed on a way of t.
 Path arrived(Path path, float t) {
   if (kAbsorption) path.throughput *= exp(-path.absorption * t);
   return path;
@@ -153,7 +153,7 @@ void recordPath(uint first, uvec2 pixel) {
     recordRows[at + RECORD_HIT] = vec4(hit.t, indexNumber(hit.primitive), uintBitsToFloat(hit.triangle), 0.0);
     uint primitive = min(hit.primitive, l.end - 1u);
     Vertex v = vertexAt(Hit(hit.t, primitive, hit.triangle), path, seed, l);
-    if (!left) path = arrived(path, hit.t);
+    path = arrived(path, left ? WAY_TO_SKY : hit.t);
     recordSurface(at + RECORD_SURFACE, v);
     bool alive = maxComponent(path.throughput) > 0.0;
     vec3 met = alive ? metLight(path, v, left) : vec3(0.0);

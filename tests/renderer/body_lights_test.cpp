@@ -62,6 +62,33 @@ TEST_F(BodyLights, row33_a_camera_inside_sees_an_even_enclosure) {
     }
 }
 
+// A black ball of half the radius hides a quarter of what the wall sees: 1 / (1 - albedo (1 - 1/4)).
+TEST_F(BodyLights, row33_what_lies_in_a_glowing_shell_shadows_its_wall) {
+  for (const double stretch : {1.0, 1.001}) {
+    Scene scene = plainScene(32);
+    add(scene, at({0, 0, 0}, {0, 1, 0}, 0.0, {1, 1, stretch}), Sphere{1.0}, emitter(1.0f, glm::vec3(0.8f)));
+    add(scene, at({0, 0, 0}), Sphere{0.5}, lambert(glm::vec3(0.0f)));
+    ablate({});
+    expectMean(meanOf(render(scene, lookAt({0.75, 0, 0}, {1, 0.2, 0.1}, 0.3), {16, 16}, 256)), 2.5, 0.004);
+  }
+}
+
+TEST_F(BodyLights, row32_they_agree_on_rough_glass_that_glows) {
+  Material glowing = emitter(1.0f);
+  glowing.albedo = glm::vec3(1.0f);
+  glowing.transmission = 1.0f;
+  glowing.roughness = 0.9f;
+  for (const Body& body : {Body{"sphere", Sphere{0.4}, at({0, 0, 0})},
+                           Body{"ellipsoid", Sphere{0.4}, at({0, 0, 0}, {1, 1, 0}, 0.8, {1, 0.7, -1.2})},
+                           Body{"box", Box{{0.4, 0.3, 0.4}}, at({0, 0, 0}, {1, 1, 0}, 0.8)},
+                           Body{"cylinder", Cylinder{0.3, 0.8}, at({0, 0, 0}, {1, 0.2, 0}, 1.2)}}) {
+    SCOPED_TRACE(body.name);
+    Scene scene = plainScene(3);
+    add(scene, body.place, body.shape, glowing);
+    expectStrategiesAgree(scene, lookAt({0, 1.5, 3}, {0, 0, 0}, 0.1), 1024);
+  }
+}
+
 TEST_F(BodyLights, no_convex_body_lights_itself_from_outside) {
   for (const Body& body : bodies()) {
     Scene scene = plainScene(4);

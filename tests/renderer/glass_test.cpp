@@ -19,6 +19,19 @@ class GlassTest : public RendererTest {
     return m;
   }
   /// An even sky of radiance 1.
+  /// Without reflection or bending; leaves all red, half of green and a quarter of blue after `distance`
+  /// metres.
+  static Material tint(float distance) {
+    Material m = glass();
+    m.ior = 1.0f;
+    m.attenuationColor = {1.0f, 0.5f, 0.25f};
+    m.attenuationDistance = distance;
+    return m;
+  }
+  static void expectTint(const Image& seen, const Image& clear, double power) {
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(meanOf(seen, c).value / meanOf(clear, c).value, std::exp2(-power * c), 2e-3) << c;
+  }
   static void addSky(Scene& scene) { addLight(scene, at({0, 0, 0}), EnvironmentLight{}, 1.0f); }
   Mean ball(const Material& material, int samples, int bounces = 32) {
     Scene scene = plainScene(bounces);
@@ -89,6 +102,39 @@ TEST_F(GlassTest, AbsorptionFollowsTheDistance) {
   EXPECT_NEAR(meanOf(image, 0).value, 1.0, 1e-3);
   EXPECT_NEAR(meanOf(image, 1).value, 0.5, 1e-3);
   EXPECT_NEAR(meanOf(image, 2).value, 0.25, 1e-3);
+}
+
+TEST_F(GlassTest, light_inside_a_tinted_solid_is_absorbed_on_its_way) {
+  const auto seen = [&](const Material& solid) {
+    Scene scene = plainScene(8);
+    add(scene, at({0, 0, 0}), Box{{8, 8, 4}}, solid);
+    add(scene, at({0, 0, -1}, {1, 0, 0}, pi / 2), Rect{{1, 1}}, lambert(glm::vec3(0.8f)));
+    addLight(scene, at({0, 0, 1}), PointLight{}, 10.0f);
+    return render(scene, lookAt({0, 0, 10}, {0, 0, 0}, 0.002), {8, 8}, 16);
+  };
+  Material clear = tint(1.0f);
+  clear.attenuationDistance = 0.0f;
+  expectTint(seen(tint(5.0f)), seen(clear), 1.0);  // 2 m to the light and 3 m to the face
+}
+
+TEST_F(GlassTest, solids_within_each_other_absorb_both) {
+  const auto seen = [&](float outer, float inner) {
+    Scene scene = plainScene(8);
+    addSky(scene);
+    add(scene, at({0, 0, 0}), Box{{8, 8, 4}}, tint(outer));
+    add(scene, at({0, 0, 0.5}), Box{{6, 6, 1}}, tint(inner));
+    return render(scene, lookAt({0, 0, 10}, {0, 0, 0}, 0.02), {8, 8}, 16);
+  };
+  expectTint(seen(8.0f, 2.0f), seen(0.0f, 0.0f), 4.0 / 8.0 + 1.0 / 2.0);
+}
+
+TEST_F(GlassTest, an_absorbing_half_space_lets_nothing_of_the_sky_through) {
+  Scene scene = plainScene(8);
+  addSky(scene);
+  add(scene, at({0, 0, 0}), Plane{}, tint(1.0f));
+  const Image image = render(scene, lookAt({0, 4, 3}, {0, 0, 0}, 0.02), {8, 8}, 16);
+  EXPECT_EQ(meanOf(image, 2).value, 0.0);
+  EXPECT_NEAR(meanOf(image, 0).value, 1.0, 1e-3) << "red is not absorbed";
 }
 
 TEST_F(GlassTest, row23_compensated_white_balls_vanish) {

@@ -36,6 +36,18 @@ TEST_F(MeshLights, row32_samples_alone_paths_alone_and_both_agree) {
   expectStrategiesAgree(scene, overview, 1024);
 }
 
+// The larger the triangle that is lit, the farther from it rays start, and the nearer they came to the lamp's
+// own facet.
+TEST_F(MeshLights, row32_they_agree_on_a_large_ground_that_is_a_mesh) {
+  for (const double height : {0.3, 1.0, 2.0}) {
+    SCOPED_TRACE(height);
+    Scene scene = plainScene(1);
+    add(scene, at({0, 0, 0}), textures::shape(meshes::quad(30.0f)), lambert(glm::vec3(0.8f)));
+    addLantern(scene, {0.1, height, -0.3}, 0.05 + 0.2 * height, emitter(5.0f));
+    expectStrategiesAgree(scene, overview, 2048);
+  }
+}
+
 TEST_F(MeshLights, row32_they_agree_on_a_texture_that_glows_in_parts) {
   Material screen = emitter(8.0f);
   screen.emissionTexture = textures::slot(textures::made(4, 4, textures::Format::rgbaHalf, [](int x, int y) {
