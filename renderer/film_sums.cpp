@@ -90,6 +90,24 @@ std::uint64_t samplesOfHalf(std::uint64_t begin, std::uint64_t end, int half, bo
   return halfRange(begin, end, half, errorMeter).count();
 }
 
+Image meanOf(const FilmSums& sums) {
+  Image mean = sums.sum[0];
+  const std::size_t rowValues = std::size_t(mean.width) * std::size_t(mean.channels);
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    const int row = int(i / rowValues);
+    double total = 0.0;
+    for (int half = 0; half < 2; ++half)
+      total += double(sums.sum[half].pixels[i]) - double(sums.carry[half].pixels[i]);
+    mean.pixels[i] =
+        float(total / double(std::max<std::uint64_t>(sums.count(0, row) + sums.count(1, row), 1)));
+  }
+  return mean;
+}
+
+Image Renderer::radiance() {
+  return impl_->film ? meanOf(filmSums()) : Image();
+}
+
 ErrorTails tailsOf(const FilmSums& sums) {
   if (!sums.errorMeter || sums.end - sums.begin < 2) return {};
   std::vector<double> squares;

@@ -20,6 +20,9 @@ struct FilmSums {
   std::uint64_t count(int half, int row) const;
 };
 
+/// Mean radiance of each pixel, rounded once: what merged parts of the same samples give.
+Image meanOf(const FilmSums& sums);
+
 /// How many of the samples [begin, end) half 0 (A, the even ones) or 1 (B) holds; all are A's without the
 /// meter.
 std::uint64_t samplesOfHalf(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter);

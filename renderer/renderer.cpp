@@ -306,17 +306,6 @@ std::optional<PickResult> Renderer::pick(int x, int y) {
                     impl_->scene.origin + glm::dvec3(v[4], v[5], v[6]), glm::dvec3(v[8], v[9], v[10]), v[2]};
 }
 
-Image Renderer::radiance() {
-  if (!impl_->film) return {};
-  const ResolvedPicture& resolved = impl_->resolveNow();
-  const Extent e = resolved.extent();
-  const std::size_t pixels = std::size_t(e.width) * e.height;
-  const auto rgba = downloadAs<float>(*impl_->device, resolved.buffer(), 0, pixels * 4);
-  Image image{e.width, e.height, 3, std::vector<float>(pixels * 3)};
-  for (std::size_t i = 0; i < pixels; ++i) std::copy_n(&rgba[i * 4], 3, &image.pixels[i * 3]);
-  return image;
-}
-
 std::pair<Image, Image> Renderer::halves() {
   if (!impl_->film) return {};
   const Film& film = impl_->currentFilm();

@@ -50,6 +50,26 @@ TEST(Merge, of_two_halves_is_the_whole_in_any_order_and_grouping) {
   EXPECT_EQ(compared.exitCode, 0) << compared.err;
 }
 
+TEST(Merge, of_parts_is_the_picture_of_one_render) {
+  const Sandbox sandbox;
+  const auto projects = {"hello", "cornell"};
+  for (const char* name : projects) {
+    SCOPED_TRACE(name);
+    const auto render = [&](Arguments range, const std::string& output) {
+      Arguments arguments{"render", project(name), "--size", "24x18", "-o", sandbox.path(output)};
+      arguments.insert(arguments.end(), range.begin(), range.end());
+      ASSERT_EQ(sandbox.run(arguments).exitCode, 0);
+    };
+    render({"--samples", "0:11"}, "a.exr");
+    render({"--samples", "11:37"}, "b.exr");
+    render({"--spp", "37"}, "whole.exr");
+    ASSERT_EQ(merge(sandbox, {"a.exr", "b.exr"}, "ab.exr").exitCode, 0);
+    const Outcome compared =
+        sandbox.run({"compare", sandbox.path("ab.exr"), sandbox.path("whole.exr"), "--fail-above", "rmse=0"});
+    EXPECT_EQ(compared.exitCode, 0) << compared.out;
+  }
+}
+
 TEST(Merge, keeps_the_layers_of_camera_rays) {
   const Sandbox sandbox;
   renderPart(sandbox, "0:4", "a.exr", {"--aov", "albedo,id"});
