@@ -26,12 +26,6 @@ Material bodyOf(const Light& light) {
   return body;
 }
 
-// Beer-Lambert coefficients, 1/m.
-glm::vec3 absorptionOf(const Material& m) {
-  if (m.transmission <= 0.0f || m.attenuationDistance <= 0.0f) return glm::vec3(0.0f);
-  return -glm::log(glm::max(m.attenuationColor, glm::vec3(1e-6f))) / m.attenuationDistance;
-}
-
 bool hasEdgeTint(const Material& m) {
   return m.metallic > 0.0f && m.edgeTint != glm::vec3(1.0f);
 }
@@ -48,6 +42,11 @@ std::uint32_t meshBits(const Material& m, std::uint32_t vertexFlags) {
 }
 
 }  // namespace
+
+glm::vec3 absorptionOf(const Material& m) {
+  if (m.transmission <= 0.0f || m.attenuationDistance <= 0.0f) return glm::vec3(0.0f);
+  return -glm::log(glm::max(m.attenuationColor, glm::vec3(1e-6f))) / m.attenuationDistance;
+}
 
 Material materialOf(const Scene& scene, const SurfaceLink& link) {
   if (link.light) return bodyOf(*link.light);

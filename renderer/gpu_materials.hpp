@@ -15,6 +15,8 @@ namespace steradian {
 Material materialOf(const Scene& scene, const SurfaceLink& link);
 /// FEATURE_* and MATERIAL_* bits of the material on a primitive.
 std::uint32_t materialBits(const Material& material, const SurfaceLink& link);
+/// Beer-Lambert coefficients inside a solid of it, 1/m.
+glm::vec3 absorptionOf(const Material& material);
 /// Whether the material needs GlassTables when energy is compensated.
 bool isRoughGlass(std::uint32_t materialBits);
 

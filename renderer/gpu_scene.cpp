@@ -14,6 +14,7 @@
 #include "renderer/gpu_shapes.hpp"
 #include "renderer/light_tree.hpp"
 #include "renderer/pixel_filter.hpp"
+#include "renderer/scene/inside.hpp"
 #include "renderer/scene_cache.hpp"
 #include "renderer/top_level.hpp"
 
@@ -44,7 +45,7 @@ std::vector<glm::vec4> cameraRows(const CameraView& view) {
   const bool parallel = lens.projection == Projection::orthographic;
   return {glm::vec4(glm::vec3(m[0]), float(lensRadius(view))),
           glm::vec4(glm::vec3(m[1]), float(lens.focusDistance)),
-          glm::vec4(glm::vec3(-m[2]), parallel ? 1.0f : 0.0f)};
+          glm::vec4(glm::vec3(-m[2]), parallel ? 1.0f : 0.0f), glm::vec4(0.0f)};
 }
 
 std::vector<glm::vec4> tabulated(const std::vector<double>& table) {
@@ -105,6 +106,17 @@ void appendCamera(GpuScene& out, const Scene& scene, const CameraView& view, Ext
   out.rows.insert(out.rows.end(), filter.begin(), filter.end());
   if (lensRadius(view) > 0.0) out.features |= FEATURE_LENS;
   if (view.lens.projection == Projection::orthographic) out.features |= FEATURE_ORTHOGRAPHIC;
+}
+
+// What the solids around the camera absorb, in the last of its rows.
+void appendMedium(GpuScene& out, const Scene& scene, const std::vector<Placed>& objects) {
+  glm::vec3 absorption(0.0f);
+  for (const Placed& p : objects) {
+    const auto* g = std::get_if<Geometry>(&p.object->content);
+    if (g && holdsInside(g->shape, p.world, out.origin))
+      absorption += absorptionOf(materialOf(scene, {g->material, p.object->id}));
+  }
+  out.rows[CAMERA_ROWS - 1] = glm::vec4(absorption, 0.0f);
 }
 
 // Materials and object ids in the order of the primitives; emissive ones join the lights.
@@ -242,6 +254,7 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Scen
   applySettings(out, scene.render);
   appendCamera(out, scene, view, film);
   const std::vector<Placed> objects = visibleObjects(scene);
+  appendMedium(out, scene, objects);
   const double largeRadius = largeRadiusOf(objects);
   const MeshPlaces places(scene, cache.meshes);
   for (const MeshPlace& place : places.all()) {

@@ -10,9 +10,12 @@ struct CameraRows {
   vec4 right;    // w: lens radius, 0 = pinhole
   vec4 up;       // w: focus distance
   vec4 forward;  // w: 1 = parallel projection
+  vec3 absorption;  // 1/m, of the solids that hold the camera
 };
 
-CameraRows fetchCamera() { return CameraRows(fetchRow(0u), fetchRow(1u), fetchRow(2u)); }
+CameraRows fetchCamera() {
+  return CameraRows(fetchRow(0u), fetchRow(1u), fetchRow(2u), kAbsorption ? fetchRow(3u).xyz : vec3(0.0));
+}
 
 // Offset from the pixel centre, in pixels, by the tabulated inverse CDF of the filter.
 float filterOffset(float u) {

@@ -64,7 +64,7 @@ using uint = std::uint32_t;
 #define GPU_CONST const
 #endif
 
-GPU_CONST uint CAMERA_ROWS = 3u;
+GPU_CONST uint CAMERA_ROWS = 4u;
 GPU_CONST uint FILTER_ROWS = 256u;
 GPU_CONST uint LARGE_SPHERE_ROWS = 2u;
 GPU_CONST uint AFFINE_ROWS = 3u;

@@ -316,7 +316,7 @@ Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint seed, uint
   // Half a pixel: samples average what textures show within it.
   float halfPixel = 0.5 * params.pixelScale;
   bool parallel = kOrthographic && camera.forward.w > 0.0;
-  return Path(ray, vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0u, index, parallel ? halfPixel : 0.0, parallel ? 0.0 : halfPixel);
+  return Path(ray, vec3(1.0), vec3(0.0), 0.0, camera.absorption, 0u, index, parallel ? halfPixel : 0.0, parallel ? 0.0 : halfPixel);
 }
 
 #endif

@@ -117,6 +117,19 @@ TEST_F(GlassTest, light_inside_a_tinted_solid_is_absorbed_on_its_way) {
   expectTint(seen(tint(5.0f)), seen(clear), 1.0);  // 2 m to the light and 3 m to the face
 }
 
+TEST_F(GlassTest, a_camera_inside_a_tinted_solid_sees_through_it) {
+  for (const Shape& solid : {Shape(Sphere{3}), Shape(Box{{6, 6, 6}}), Shape(Cylinder{3, 8})}) {
+    const auto seen = [&](float distance) {
+      Scene scene = plainScene(8);
+      addSky(scene);
+      add(scene, at({0, 0, 1}, {0, 1, 0}, 0.4), solid, tint(distance));
+      return render(scene, lookAt({0, 0, 1}, {0, 0, 9}, 0.002), {8, 8}, 16);
+    };
+    const double way = std::holds_alternative<Box>(solid) ? 3.0 / std::cos(0.4) : 3.0;
+    expectTint(seen(6.0f), seen(0.0f), way / 6.0);
+  }
+}
+
 TEST_F(GlassTest, solids_within_each_other_absorb_both) {
   const auto seen = [&](float outer, float inner) {
     Scene scene = plainScene(8);

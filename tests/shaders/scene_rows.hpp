@@ -14,9 +14,9 @@ inline const Kernel sceneKernel{kernel_scene_spirv, "scene"};
 /// Which kind the single primitive of a scene is.
 using Count = std::uint32_t gpu::TraceParams::*;
 
-/// Camera and filter rows (a box filter, looking down -Z), then `shape`.
+/// Camera and filter rows (a box filter, looking down -Z, in clear air), then `shape`.
 inline Rows sceneRows(const Rows& shape) {
-  Rows rows = {{1, 0, 0, 0.0f}, {0, 1, 0, 0}, {0, 0, -1, 0}};
+  Rows rows = {{1, 0, 0, 0.0f}, {0, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 0, 0}};
   for (std::uint32_t i = 0; i < gpu::FILTER_ROWS; ++i)
     rows.emplace_back(i / float(gpu::FILTER_ROWS) - 0.5f, 1.0f / gpu::FILTER_ROWS, 0, 0);
   rows.insert(rows.end(), shape.begin(), shape.end());
