@@ -50,12 +50,11 @@ class View {
   }
   // Where light reflected at this azimuth dips below the horizon: there the integrand has a kink.
   double horizon(double cosPhi) const {
-    double below = lowest(), above = 1.0;
-    for (int i = 0; i < 16; ++i) {
-      const double middle = 0.5 * (below + above);
-      (facet(middle, cosPhi).cosI > 0.0 ? above : below) = middle;
-    }
-    return above;
+    return edge(cosPhi, [](const Facet& f) { return f.cosI > 0.0; });
+  }
+  // Where facets begin to reflect totally, from this cosine down, if they do: another kink.
+  double crease(double cosPhi, double critical) const {
+    return edge(cosPhi, [critical](const Facet& f) { return f.cosH > critical; });
   }
   // Of the direction that the facet refracts to, below the surface if negative; cosT = its cosine to the
   // facet.
@@ -71,6 +70,16 @@ class View {
   }
 
  private:
+  template <class Above>
+  double edge(double cosPhi, const Above& isAbove) const {
+    double below = lowest(), above = 1.0;
+    for (int i = 0; i < 16; ++i) {
+      const double middle = 0.5 * (below + above);
+      (isAbove(facet(middle, cosPhi)) ? above : below) = middle;
+    }
+    return above;
+  }
+
   double alpha_, cosO_, sinO_, lengthO_;
 };
 
@@ -94,15 +103,18 @@ View viewOf(double alpha, double mu) {
   return View(std::max(alpha, 1e-4), std::clamp(mu, 1e-6, 1.0));
 }
 
-// One facet's part of what the glass gives back.
-GlassAlbedo throughFacet(const View& view, const View::Facet& facet, double eta) {
+// One facet: the share of light that it reflects, and of that and of the rest what is not masked.
+struct GlassFacet {
+  double reflectance, above, below;
+};
+GlassFacet throughFacet(const View& view, const View::Facet& facet, double eta) {
   const double cosH = std::clamp(facet.cosH, 0.0, 1.0), cosT2 = 1.0 - (1.0 - cosH * cosH) / (eta * eta);
   const double cosT = std::sqrt(std::max(cosT2, 0.0));
   const double s = (cosH - eta * cosT) / (cosH + eta * cosT), p = (eta * cosH - cosT) / (eta * cosH + cosT);
   const double reflectance = cosT2 > 0.0 ? 0.5 * (s * s + p * p) : 1.0;
   const double below = -view.refracted(facet, cosT, eta);
-  return {facet.cosI > 0.0 ? reflectance * view.weight(facet.cosI) : 0.0,
-          below > 0.0 ? (1.0 - reflectance) * view.masking(below) : 0.0};
+  return {reflectance, facet.cosI > 0.0 ? view.weight(facet.cosI) : 0.0,
+          below > 0.0 ? view.masking(below) : 0.0};
 }
 
 }  // namespace
@@ -131,21 +143,29 @@ FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule) {
 GlassAlbedo glassAlbedo(double alpha, double mu, double eta, const Quadrature& rule) {
   const View view = viewOf(alpha, mu);
   const std::size_t turns = rule.x.size();
+  const double critical = std::sqrt(std::max(1.0 - eta * eta, 0.0));
   GlassAlbedo sum;
+  double facets = 0.0;  // if they reflected all
   for (std::size_t k = 0; k < turns; ++k) {
     const double cosPhi = std::cos(std::numbers::pi * (double(k) + 0.5) / double(turns));
-    // Apart on both sides of the kink where reflected light dips below the horizon; smoothstep as above.
-    const double ends[] = {view.lowest(), view.horizon(cosPhi), 1.0};
-    for (std::size_t i = 0; i < 2 * rule.x.size(); ++i) {
-      const double low = ends[i % 2], high = ends[i % 2 + 1], t = rule.x[i / 2];
+    // Apart on the sides of the kinks; smoothstep as above.
+    const double horizon = view.horizon(cosPhi),
+                 crease = critical > 0.0 ? view.crease(cosPhi, critical) : 1.0;
+    const double ends[] = {view.lowest(), std::min(horizon, crease), std::max(horizon, crease), 1.0};
+    for (std::size_t i = 0; i < 3 * rule.x.size(); ++i) {
+      const double low = ends[i % 3], high = ends[i % 3 + 1], t = rule.x[i / 3];
+      if (low >= high) continue;
       const double z = low + t * t * (3.0 - 2.0 * t) * (high - low);
       const double share = (high - low) / (1.0 - view.lowest()) / double(turns);
-      const GlassAlbedo part = throughFacet(view, view.facet(z, cosPhi), eta);
-      const double weight = 6.0 * t * (1.0 - t) * rule.w[i / 2] * share;
-      sum.reflected += weight * part.reflected;
-      sum.transmitted += weight * part.transmitted;
+      const GlassFacet facet = throughFacet(view, view.facet(z, cosPhi), eta);
+      const double weight = 6.0 * t * (1.0 - t) * rule.w[i / 3] * share, r = facet.reflectance;
+      sum.reflected += weight * r * facet.above;
+      sum.transmitted += weight * (1.0 - r) * facet.below;
+      sum.sheetShare += weight * 2.0 * r / (1.0 + r) * facet.above;
+      facets += weight * facet.above;
     }
   }
+  sum.sheetShare /= facets;
   return sum;
 }
 

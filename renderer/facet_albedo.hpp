@@ -28,7 +28,11 @@ FacetAlbedo facetAlbedo(double alpha, double mu, const Quadrature& rule);
 /// masked.
 struct GlassAlbedo {
   double reflected = 0.0, transmitted = 0.0;
+  /// If the facets are those of a thin sheet: the share of FacetAlbedo::white() that they reflect, with all
+  /// reflections between its two faces.
+  double sheetShare = 0.0;
   double white() const { return reflected + transmitted; }
+  double reflectedShare() const { return reflected / white(); }
 };
 
 /// eta = n(other side) / n(this side) > 0. Any thread.

@@ -234,9 +234,13 @@ struct FilmParams {
 // two rows per cell: the part of F0 at the 4 corners | the part of F90 at the 4 corners.
 GPU_CONST uint ENERGY_CELLS = 32u;
 GPU_CONST uint ENERGY_ROWS = 2u * ENERGY_CELLS * ENERGY_CELLS;
-// The same grid of white rough glass, reflected and passed together: a row per cell, its 4 corners; seen from
-// the outside, then from within.
-GPU_CONST uint GLASS_ROWS = 2u * ENERGY_CELLS * ENERGY_CELLS;
+// Tables of rough glass, a row per cell: the 4 corners. On the same grid what white glass gives back,
+// reflected and passed together, seen from the outside and from within; then the share of it that is
+// reflected: outside, within, and by a sheet. Where total reflection puts a crease into that share, its grid
+// is one over square roots of the distance to the critical cosine.
+GPU_CONST uint GLASS_CELLS = ENERGY_CELLS * ENERGY_CELLS;
+GPU_CONST uint GLASS_SHARES = 2u * GLASS_CELLS;  // first row
+GPU_CONST uint GLASS_ROWS = GLASS_SHARES + 3u * GLASS_CELLS;
 
 // Push constants of the display pass: a film shown in a rectangle.
 struct DisplayParams {

@@ -53,10 +53,11 @@ struct TableCell {
   vec4 weights;
 };
 
-TableCell tableCell(float alpha, float cosO) {
+// By the places on both axes, in [0, 1].
+TableCell cellAt(float alongAlpha, float alongCosine) {
   float cells = float(ENERGY_CELLS);
-  float x = sqrt(sqrt(alpha)) * cells;
-  float y = sqrt(sqrt(cosO)) * cells;
+  float x = alongAlpha * cells;
+  float y = alongCosine * cells;
   float column = min(floor(x), cells - 1.0);
   float line = min(floor(y), cells - 1.0);
   float fx = x - column;
@@ -64,6 +65,8 @@ TableCell tableCell(float alpha, float cosO) {
   vec4 weights = vec4((1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy);
   return TableCell(uint(line) * ENERGY_CELLS + uint(column), weights);
 }
+
+TableCell tableCell(float alpha, float cosO) { return cellAt(sqrt(sqrt(alpha)), sqrt(sqrt(cosO))); }
 
 FacetAlbedo facetAlbedo(float alpha, float cosO, TableCell cell) {
   float f0 = dot(fetchTable(2u * cell.at), cell.weights);
@@ -76,12 +79,29 @@ FacetAlbedo facetAlbedo(float alpha, float cosO, TableCell cell) {
 // Turquin 2019: facets of reflectance F0 gain 1 + F0 * this by light scattered more than once.
 float multipleScattering(FacetAlbedo albedo) { return 1.0 / (albedo.f0 + albedo.f90) - 1.0; }
 
-// What rough glass of a material (its first row) gives back, reflected and passed. Facets of a sheet lose as those that
-// only reflect do.
-float glassAlbedo(Lobes lobes, uint row, TableCell cell, FacetAlbedo facets, bool inside) {
-  uint table = floatBitsToUint(fetchRow(row + 4u).w) + (inside ? ENERGY_CELLS * ENERGY_CELLS : 0u);
-  float solid = passesUnscattered(lobes) ? 1.0 : dot(fetchRow(table + cell.at), cell.weights);
+// What rough glass (its first row) gives back, reflected and passed. Facets of a sheet lose as those that only reflect
+// do.
+float glassAlbedo(Lobes lobes, uint table, TableCell cell, FacetAlbedo facets, bool inside) {
+  uint first = table + (inside ? GLASS_CELLS : 0u);
+  float solid = passesUnscattered(lobes) ? 1.0 : dot(fetchRow(first + cell.at), cell.weights);
   return lobes.thin ? facets.f0 + facets.f90 : solid;
+}
+
+// Total reflection begins with a vertical slope: the axis is finest there.
+float glassShareAxis(float cosO, float eta) {
+  float critical = sqrt(max(1.0 - eta * eta, 0.0));
+  float away = cosO - critical;
+  float span = away < 0.0 ? critical : 1.0 - critical;
+  float root = 0.5 * sqrt(min(abs(away) / span, 1.0));
+  return eta < 1.0 ? (away < 0.0 ? 0.5 - root : 0.5 + root) : sqrt(sqrt(cosO));
+}
+
+// The share of it that is reflected, which a diffuse lobe below the facets does not see.
+float glassReflectedShare(Lobes lobes, uint table, float cosO, bool inside) {
+  TableCell cell = cellAt(sqrt(sqrt(lobes.alpha)), glassShareAxis(cosO, lobes.eta));
+  uint first = table + GLASS_SHARES + (lobes.thin ? 2u * GLASS_CELLS : inside ? GLASS_CELLS : 0u);
+  float share = passesUnscattered(lobes) ? glassReflectance(lobes, cosO) : dot(fetchRow(first + cell.at), cell.weights);
+  return min(share, 1.0);
 }
 
 bool compensated() { return kCompensation && (params.flags & TRACE_COMPENSATION) != 0u; }
@@ -127,12 +147,10 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
     float single = m.dielectricF0 * albedo.f0 + m.dielectricF90 * albedo.f90;
     gain = compensated() ? multipleScattering(albedo) : 0.0;
     reflected = single * (1.0 + m.dielectricF0 * gain);
-    if (kTransmission) {
-      glassGain = compensated() ? 1.0 / glassAlbedo(lobes, row, cell, albedo, inside) : 1.0;
-      // Exact for smooth glass; roughness shifts it as it shifts Schlick's.
-      float smoothSingle = m.dielectricF0 + (m.dielectricF90 - m.dielectricF0) * pow5(1.0 - cosO);
-      float exact = glassReflectance(lobes, cosO) + (single - smoothSingle);
-      reflected = glass ? clamp(exact * glassGain, 0.0, 1.0) : reflected;
+    if (kTransmission && glass && compensated()) {
+      uint table = floatBitsToUint(fetchRow(row + 4u).w);
+      glassGain = 1.0 / glassAlbedo(lobes, table, cell, albedo, inside);
+      if (kDiffuse) reflected = glassReflectedShare(lobes, table, cosO, inside);
     }
     reflected = compensated() ? reflected : 0.0;
   }

@@ -88,7 +88,7 @@ TEST(GlassTables, row23_between_their_nodes_gain_little) {
       for (int i = 0; i < 30; ++i)
         for (int j = 0; j < 20; ++j) {
           const double roughness = 0.05 + 0.95 * (i + 0.37) / 30, mu = std::pow((j + 0.41) / 20, 2.2);
-          const std::size_t first = inside ? gpu::GLASS_ROWS / 2 : 0;
+          const std::size_t first = inside ? gpu::GLASS_CELLS : 0;
           const double albedo =
               glassAlbedo(roughness * roughness, mu, inside ? 1.0 / ior : double(ior), rule).white();
           const double gain =
