@@ -285,6 +285,8 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Scen
   appendTopLevel(out, shapes, instanceList, search);
   // The search for a triangle of a light, at every light's sample.
   out.traversalSteps += double(std::bit_width(lights.mostTriangles()));
+  constexpr double manyVeils = 16.0;
+  if ((out.features & FEATURE_ALPHA) != 0) out.traversals = manyVeils;
   constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
   if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
   return out;

@@ -29,6 +29,7 @@ struct GpuScene {
   bool meshLights = false;                                     // meshes are among the lights
   std::uint32_t solidLights = 0;                               // and solids: bit i of kind LIGHT_BOX + i
   double traversalSteps = 0.0;  // loop turns of the worst of some rays through the hierarchy over the scene
+  double traversals = 1.0;      // per ray; more where it may begin anew behind what is there only in part
 
   bool sameRadiance(const GpuScene& other) const;
   bool shapeHierarchy() const;  // bounded shapes lie in the hierarchy

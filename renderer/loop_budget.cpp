@@ -36,7 +36,8 @@ std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t 
   return 1 + traversal + lights + environment + metLights;
 }
 
-LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double traversalSteps) {
+LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double traversalSteps,
+                   double traversals) {
   const std::uint64_t vertices = params.maxBounces + ((params.flags & gpu::TRACE_MET_LIGHTS) != 0 ? 2 : 1);
   LoopPlan plan;
   plan.lightSamples = std::min(params.lightSamples, std::max(params.lightCount, 1u));
@@ -55,7 +56,9 @@ LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double 
                     " loop iterations, this device's driver stops at 65,535. Set the bounces to " +
                     std::to_string(fitting > 0 ? fitting - 1 : 0) + " or less, hide shapes, or use a GPU.");
   }
-  plan.samplesPerDispatch = std::uint32_t(std::clamp<std::uint64_t>(budget / perSample, 1, 4096));
+  const std::uint64_t atWorst =
+      iterationsPerVertex(params, plan.lightSamples, traversalSteps * traversals) * vertices;
+  plan.samplesPerDispatch = std::uint32_t(std::clamp<std::uint64_t>(budget / atWorst, 1, 4096));
   return plan;
 }
 

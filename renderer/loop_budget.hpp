@@ -20,6 +20,9 @@ struct LoopPlan {
 std::uint64_t iterationsPerVertex(const gpu::TraceParams& params, std::uint32_t lightSamples,
                                   double traversalSteps = 0.0);
 /// Throws Error(badInput) naming the remedy when not even one sample with one light per vertex fits.
-LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double traversalSteps = 0.0);
+/// `traversals` of one ray, at worst, keep samples per dispatch low, not lights or bounces: most rays need
+/// one.
+LoopPlan planLoops(const gpu::TraceParams& params, std::uint64_t budget, double traversalSteps = 0.0,
+                   double traversals = 1.0);
 
 }  // namespace steradian

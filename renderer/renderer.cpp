@@ -52,7 +52,8 @@ Renderer::Impl::Impl(std::shared_ptr<Device> opened, std::shared_ptr<SceneCache>
       cache(shared ? std::move(shared) : std::make_shared<SceneCache>()) {}
 
 void Renderer::Impl::upload(GpuScene next, Extent extent) {
-  const LoopPlan nextPlan = planLoops(next.params, loopBudgetOf(*device), next.traversalSteps);
+  const LoopPlan nextPlan =
+      planLoops(next.params, loopBudgetOf(*device), next.traversalSteps, next.traversals);
   const std::size_t bytes = next.rows.size() * sizeof(glm::vec4);
   const bool newFilm = !film || film->extent() != extent;
   const bool newRows = rows.size() < bytes;
@@ -206,7 +207,8 @@ void Renderer::prepare(const Scene& scene, const CameraView& view, Extent film,
   impl_->cache->prepare(scene, goOn);
   if (!goOn(1.0)) return;
   const GpuScene packed = packScene(scene, view, film, *impl_->cache);
-  const LoopPlan plan = planLoops(packed.params, loopBudgetOf(*impl_->device), packed.traversalSteps);
+  const LoopPlan plan =
+      planLoops(packed.params, loopBudgetOf(*impl_->device), packed.traversalSteps, packed.traversals);
   impl_->patientVariants.prepare(variantFor(packed, plan.lightSamples));
 }
 

@@ -15,8 +15,8 @@ float topEnter[TOP_LEVEL_DEPTH + 1u];
 uint afterTopNode(uint row, BoxRay ray, float tMax, inout uint height) {
   vec4 lowA = fetchRow(row);
   vec4 lowB = fetchRow(row + 2u);
-  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, 0.0, tMax);
-  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, 0.0, tMax);
+  float enterA = enterBox(ray, lowA.xyz, fetchRow(row + 1u).xyz, kAlpha ? passed.t : 0.0, tMax);
+  float enterB = enterBox(ray, lowB.xyz, fetchRow(row + 3u).xyz, kAlpha ? passed.t : 0.0, tMax);
   Order o = inOrder(enterA, enterB, lowA.w, lowB.w);
   uint popped = unlessBeyond(topStack[height - 1u], topEnter[height - 1u], tMax);
   topStack[height] = o.later;

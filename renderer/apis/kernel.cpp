@@ -69,7 +69,7 @@ KernelInput kernelInput(const Scene& scene, const CameraView& view, Extent film,
 
 KernelRun runKernel(KernelHost& host, const KernelInput& input, std::uint64_t samples) {
   const GpuScene& scene = input.traced.scene;
-  const LoopPlan plan = planLoops(scene.params, host.loopBudget(), scene.traversalSteps);
+  const LoopPlan plan = planLoops(scene.params, host.loopBudget(), scene.traversalSteps, scene.traversals);
   host.clear();
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t done = 0; done < samples;) {

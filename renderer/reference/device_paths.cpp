@@ -70,8 +70,8 @@ std::vector<std::uint32_t> texelWords(const GpuScene& scene) {
 
 TracedScene tracedScene(GpuScene scene, const gpu::Device& device) {
   const bool cpu = device.description().type == "CPU";
-  const LoopPlan plan =
-      planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget, scene.traversalSteps);
+  const LoopPlan plan = planLoops(scene.params, cpu ? cpuDriverLoopBudget : gpuLoopBudget,
+                                  scene.traversalSteps, scene.traversals);
   scene.params.lightSamples = plan.lightSamples;
   std::vector<glm::vec4> tables = energyTable();
   if (scene.environment) {
