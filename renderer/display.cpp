@@ -94,10 +94,11 @@ Image Display::picture(const gpu::Buffer& resolved, Extent film) {
   const gpu::Buffer encoded(device_, gpu::BufferKind::deviceLocal, pixels * sizeof(glm::vec4), "picture");
   const gpu::Buffer* const storage[] = {nullptr, nullptr, nullptr, nullptr, &resolved, &encoded};
   const gpu::Bindings bindings(device_, {}, storage);
+  constexpr std::uint32_t groupsX = 256, perRow = groupsX * 64;  // display.comp takes 64 pixels a group
   device_.run(gpu::QueueKind::compute, [&](const auto& cmd) {
     gpu::computeToCompute(cmd);
-    compute_->dispatch(cmd, bindings, params(film, {0, 0, film.width, film.height}), 256,
-                       std::uint32_t((pixels + 256 * 64 - 1) / (256 * 64)));
+    compute_->dispatch(cmd, bindings, params(film, {0, 0, film.width, film.height}), groupsX,
+                       std::uint32_t((pixels + perRow - 1) / perRow));
   });
   const auto values = gpu::downloadAs<glm::vec4>(device_, encoded, 0, pixels);
   Image image{film.width, film.height, 3, std::vector<float>(pixels * 3)};

@@ -143,8 +143,8 @@ std::uint64_t Renderer::sceneFingerprint() const {
 
 ErrorTails Renderer::measureTails() {
   impl_->tailSquares.clear();
-  constexpr std::size_t cached =
-      1 << 15;  // pixels, whose sums fit a CPU cache: .65 of the time of all at once
+  // Pixels whose sums fit a CPU's cache: .65 of the time of all at once.
+  constexpr std::size_t cached = 1 << 15;
   while (!measureTails(cached)) {
   }
   return impl_->stats.error.tails;

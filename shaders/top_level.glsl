@@ -98,7 +98,7 @@ bool passes(Hit hit, Ray ray, Layout l) {
 
 // Everything that lies in the hierarchy; `any`: the first hit found is enough. Opacity is looked up for the nearest surface
 // only, and the search begins again behind one that the ray passes: drivers that run both sides of every branch would look it
-// up for every triangle that is tested (1.7 times the time on such a scene).
+// up for every triangle that is tested (1.4 times the time of projects/still-life on lavapipe).
 void hitHierarchy(inout Hit hit, Ray ray, uint target, bool any, Layout l) {
   Hit begin = hit;
   passed = Hit(0.0, 0u, 0u);
