@@ -33,6 +33,13 @@ Candidate pick(const vk::raii::Instance& instance, vk::SurfaceKHR surface, const
   }
 }
 
+/// What outlives a lost device, to the end of the process.
+struct Abandoned {
+  vk::raii::Context loader;
+  vk::raii::Instance instance;
+  vk::raii::Device device;
+};
+
 }  // namespace
 
 Device::Device(const DeviceRequest& request)
@@ -53,7 +60,8 @@ Device::Device(const DeviceRequest& request)
 
 Device::~Device() {
   // Destroyed, a driver whose work never ends would wait for it here, and no one would read what was wrong.
-  if (lost_) new vk::raii::Device(std::move(device_));
+  // Drivers end in a fault where an instance ends, or is unloaded, before its device.
+  if (lost_) new Abandoned{std::move(loader_), std::move(instance_), std::move(device_)};
 }
 
 void Device::createDevice(const QueuePlan& plan) {
