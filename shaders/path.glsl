@@ -21,6 +21,7 @@ struct Path {
   uint index;       // of the sample
   float width;      // of the cone of rays around this one, for textures: metres where the ray starts,
   float spread;     // and more for every metre
+  float compression;  // n^2 of the glass that the ray runs through: there radiance is as much greater
 };
 
 // A vertex as shading sees it.
@@ -291,14 +292,25 @@ Vertex vertexAt(Hit hit, Path path, uint seed, Layout l) {
   return v;
 }
 
-// The ray that goes on from a vertex along a sampled direction. Its cone is an eighth as wide as the lobe: textures that
+// Russian roulette, after the third bounce.
+bool roulettePlayed(Path path) { return kRoulette && (params.flags & TRACE_RUSSIAN_ROULETTE) != 0u && path.bounce >= 3u; }
+
+// Chance to go on, by what the path would carry outside of all glass: inside, its throughput is less by what radiance will
+// gain, and paths would be lost that bring as much light as any (Pharr, Jakob & Humphreys, PBRT 4th ed., 13.4).
+float survivalOf(Path path) {
+  float carried = maxComponent(path.throughput) * (kTransmission ? path.compression : 1.0);
+  return roulettePlayed(path) ? min(1.0, carried) : 1.0;
+}
+
+// The ray that goes on from a vertex along a sampled direction; eta as that of its lobes. Its cone is an eighth as wide as the lobe: textures that
 // are seen in a mirror stay sharp, those that light a rough surface are looked up coarsely (after Akenine-Moller et al.,
 // Improved Shader and Texture Level of Detail Using Ray Cones, JCGT 10(1), 2021).
-void goOn(inout Path path, float t, Vertex v, BsdfSample next) {
+void goOn(inout Path path, float t, Vertex v, float eta, BsdfSample next) {
   vec3 wi = toWorld(v.frame, next.wi);
   path.ray = leaving(v, wi, next.wi);
   path.throughput *= next.weight;
   if (kMeshes) path.throughput *= keepsSide(v, wi, next.wi) ? 1.0 : 0.0;
+  if (kTransmission) path.compression *= next.wi.z < 0.0 && !v.thin ? eta * eta : 1.0;
   path.pdf = next.pdf;
   path.bounce += 1u;
   if (kTextures) {
@@ -316,7 +328,7 @@ Path cameraPath(CameraRows camera, uvec2 pixel, SamplePair pair, uint seed, uint
   // Half a pixel: samples average what textures show within it.
   float halfPixel = 0.5 * params.pixelScale;
   bool parallel = kOrthographic && camera.forward.w > 0.0;
-  return Path(ray, vec3(1.0), vec3(0.0), 0.0, camera.absorption, 0u, index, parallel ? halfPixel : 0.0, parallel ? 0.0 : halfPixel);
+  return Path(ray, vec3(1.0), vec3(0.0), 0.0, camera.absorption, 0u, index, parallel ? halfPixel : 0.0, parallel ? 0.0 : halfPixel, 1.0);
 }
 
 #endif

@@ -81,12 +81,6 @@ vec3 metLight(Path path, Vertex v, bool left) {
   return light;
 }
 
-bool roulettePlayed(Path path) {
-  return kRoulette && (params.flags & TRACE_RUSSIAN_ROULETTE) != 0u && path.bounce >= 3u;
-}
-
-float survivalOf(Path path) { return roulettePlayed(path) ? min(1.0, maxComponent(path.throughput)) : 1.0; }
-
 bool endsAt(Path path, Vertex v, bool left) {
   bool lost = roulettePlayed(path) && sampleIndependent(v.seed, path.index, path.bounce) >= survivalOf(path);
   return left || maxComponent(path.throughput) <= 0.0 || path.bounce >= lastBounce() || lost;
@@ -94,7 +88,7 @@ bool endsAt(Path path, Vertex v, bool left) {
 
 Path continued(Path path, float t, Vertex v, BsdfSample next) {
   if (roulettePlayed(path)) path.throughput /= max(survivalOf(path), 1e-30);
-  goOn(path, t, v, next);
+  goOn(path, t, v, lobesOf(v).eta, next);
   return path;
 }
 
@@ -104,7 +98,7 @@ void recordState(uint at, Path path) {
   recordRows[at + 2u] = vec4(path.throughput, path.pdf);
   recordRows[at + 3u] = vec4(path.absorption, float(path.bounce));
   recordRows[at + 4u] = vec4(path.radiance, float(path.index));
-  recordRows[at + 5u] = vec4(path.width, path.spread, 0.0, 0.0);
+  recordRows[at + 5u] = vec4(path.width, path.spread, path.compression, 0.0);
 }
 
 void recordSurface(uint at, Vertex v) {

@@ -47,7 +47,6 @@ void main() {
   Tally tally = Tally(0u, 0u, 0u, 0u, 0.0);
 
   uint seed = pixelSeedOf(pixel.x, pixel.y, params.flags & TRACE_HALF_B, params.seed);
-  bool roulette = kRoulette && (params.flags & TRACE_RUSSIAN_ROULETTE) != 0u;
   Path path = cameraPath(camera, pixel, pairAt(seed, params.sampleBegin, 0u), seed, params.sampleBegin);
 
   uint last = lastBounce();
@@ -64,13 +63,10 @@ void main() {
     if (kAbsorption && alive) path.throughput *= exp(-path.absorption * (missed ? WAY_TO_SKY : hit.t));
     BakedSamples baked = sampleBakedLights(v);
 
-    // Decide whether the path ends: nothing left to carry, bounce limit, then Russian roulette after the third bounce.
+    // Decide whether the path ends: nothing left to carry, bounce limit, then Russian roulette.
     bool ended = missed || !alive || path.bounce >= last;
-    float survival = 1.0;
-    if (roulette && path.bounce >= 3u) {
-      survival = min(1.0, maxComponent(path.throughput));
-      ended = ended || sampleIndependent(seed, path.index, path.bounce) >= survival;
-    }
+    float survival = survivalOf(path);
+    if (roulettePlayed(path)) ended = ended || sampleIndependent(seed, path.index, path.bounce) >= survival;
 
     // Draw one pair: for the camera of the next path, or for the next direction of this one. The direction is drawn before
     // the lights are looked at and weighed after that: work to do while its long chain of operations runs.
@@ -94,7 +90,7 @@ void main() {
       if (kLights || kSampledSky) addLight(path, tally, arriving, path.bounce + 1u);
     }
     if (kRoulette) path.throughput /= max(survival, 1e-30);
-    goOn(path, hit.t, v, weighDraw(lobes, drawn, v.wo, lobeKinds()));
+    goOn(path, hit.t, v, lobes.eta, weighDraw(lobes, drawn, v.wo, lobeKinds()));
 
     // Commit a finished sample and start the next one.
     if (ended) {

@@ -130,6 +130,7 @@ struct Judge::Impl {
     path.index = std::uint32_t(state[4].w);
     path.width = state[5].x;
     path.spread = state[5].y;
+    path.compression = state[5].z;
     return path;
   }
 

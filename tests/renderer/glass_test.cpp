@@ -47,6 +47,16 @@ TEST_F(GlassTest, row35_a_glass_ball_vanishes_in_even_light) {
   EXPECT_LT(smooth.sigma, 0.005);
 }
 
+TEST_F(GlassTest, roulette_loses_no_path_in_clear_glass) {
+  Scene scene = plainScene(32);
+  scene.render.russianRoulette = true;
+  addSky(scene);
+  for (const double z : {0.0, -2.5, -5.0}) add(scene, at({0, 0, z}), Sphere{1.0}, glass());
+  const Mean seen = meanOf(render(scene, lookAt({0, 0, 4}, {0, 0, 0}, 0.2), {24, 24}, 64));
+  expectMean(seen, 1.0, 1e-3);
+  EXPECT_LT(seen.sigma, 1e-3) << "a path that is lost leaves a hole, and others count for it";
+}
+
 TEST_F(GlassTest, row35_a_rough_glass_ball_vanishes_too) {
   for (const float roughness : {0.1f, 0.25f, 0.5f, 1.0f}) {
     SCOPED_TRACE(testing::Message() << "roughness " << roughness);
