@@ -49,9 +49,9 @@ struct Order {
 
 Order inOrder(float enterA, float enterB, float linkA, float linkB) {
   bool nearerA = enterA <= enterB;
-  float farther = max(enterA, enterB);
+  float farther = nearerA ? enterB : enterA;
   return Order(floatBitsToUint(nearerA ? linkA : linkB), floatBitsToUint(nearerA ? linkB : linkA), farther, farther < INFINITE,
-               min(enterA, enterB) == INFINITE);
+               (nearerA ? enterA : enterB) == INFINITE);
 }
 
 // A link from the stack, unless something nearer has been hit since.

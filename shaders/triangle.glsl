@@ -58,7 +58,7 @@ TriangleHit hitTriangle(vec3 o, Shear shear, vec3 v0, vec3 v1, vec3 v2) {
   float w = edgeFunction(b, a);
   float det = u + v + w;
   float t = (u * a.z + v * b.z + w * c.z) / det;
-  bool inside = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+  bool inside = lesser(u, lesser(v, w)) >= 0.0 || greater(u, greater(v, w)) <= 0.0;
   bool hit = inside && det != 0.0 && t > 0.0;
   return TriangleHit(vec3(u, v, w), hit ? t : INFINITE);
 }
@@ -85,8 +85,8 @@ BoxRay boxRay(vec3 o, vec3 d, float margin) {
 float enterBox(BoxRay ray, vec3 low, vec3 high, float tMin, float tMax) {
   vec3 a = low * ray.inverse - ray.low;
   vec3 b = high * ray.inverse - ray.high;
-  float enter = max(max(min(a.x, b.x), min(a.y, b.y)), max(min(a.z, b.z), tMin));
-  float leave = min(min(max(a.x, b.x), max(a.y, b.y)), min(max(a.z, b.z), tMax));
+  float enter = greater(greater(lesser(a.x, b.x), lesser(a.y, b.y)), greater(lesser(a.z, b.z), tMin));
+  float leave = lesser(lesser(greater(a.x, b.x), greater(a.y, b.y)), lesser(greater(a.z, b.z), tMax));
   return enter <= leave ? enter : INFINITE;
 }
 
