@@ -42,11 +42,12 @@ TEST(Interruption, leaves_a_partial_file_and_the_exit_code_of_the_signal) {
   }
 }
 
+/// Even light: no sample is so dim that the sums of thousands, of 48 bits, lose digits of it.
 TEST(Interruption, a_part_that_was_interrupted_and_resumed_gives_the_same_bytes) {
   const Sandbox sandbox;
   const auto part = [&](const std::string& samples, const std::string& name) {
-    return Arguments{"render",    project("hello"), "--size", "32x24",
-                     "--samples", samples,          "-o",     sandbox.path(name)};
+    return Arguments{"render", project("furnace"), "--size", "32x24", "--samples", samples,
+                     "-o",     sandbox.path(name)};
   };
   const pid_t child = sandbox.start(part("0:1000000", "begun.exr"));
   const bool running = waitForProgress(sandbox);
@@ -65,5 +66,5 @@ TEST(Interruption, a_part_that_was_interrupted_and_resumed_gives_the_same_bytes)
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     return contents(sandbox.path("merged.exr"));
   };
-  EXPECT_EQ(merged("begun.exr", "resumed.exr"), merged("a.exr", "b.exr"));
+  EXPECT_TRUE(merged("begun.exr", "resumed.exr") == merged("a.exr", "b.exr")) << done << " samples were done";
 }
