@@ -37,6 +37,18 @@ void describe(CLI::App& app, cli::Command& chosen) {
   cli::addBench(app, chosen);
 }
 
+/// What is written before a subcommand belongs to `edit`, which would not run.
+void refuseWordsBefore(const CLI::App& app) {
+  if (app.get_subcommands().empty()) return;
+  const std::string subcommand = app.get_subcommands().front()->get_name();
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0)
+      throw Error(ExitCode::usage,
+                  "'" + option->results().front() + "' before '" + subcommand +
+                      "' means nothing; what is meant for a subcommand follows it: steradian " + subcommand +
+                      " --help");
+}
+
 int fail(ExitCode code, const std::string& message) {
   cli::fail(message);
   return int(code);
@@ -55,6 +67,7 @@ int main(int argc, char** argv) try {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return fail(ExitCode::usage, std::string(error.what()) + "; steradian --help shows what there is");
   }
+  refuseWordsBefore(app);
   const int code = chosen();
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail(ExitCode::io, "stdout cannot be written");
   return code;

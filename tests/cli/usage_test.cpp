@@ -39,6 +39,8 @@ TEST(Usage, mistakes_in_the_command_line_end_with_2) {
   const Sandbox sandbox;
   const std::string hello = project("hello"), out = sandbox.path("a.exr");
   expectOneLine(sandbox.run({"render"}), 2, "input");
+  expectOneLine(sandbox.run({"help", "devices"}), 2, "steradian devices --help");
+  expectOneLine(sandbox.run({"--device", "0", "devices"}), 2, "before 'devices'");
   expectOneLine(sandbox.run({"render", hello}), 2, "--output");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--nonsense"}), 2, "--nonsense");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--spp", "0"}), 2, "spp");
