@@ -119,6 +119,22 @@ void appendMedium(GpuScene& out, const Scene& scene, const std::vector<Placed>& 
   out.rows[CAMERA_ROWS - 1] = glm::vec4(absorption, 0.0f);
 }
 
+// Solids may lie within each other: a ray adds what one absorbs on its way in and takes it away on its way
+// out. As multiples of a 2^21st of the largest, up to eight coefficients do so exactly. A rest of rounding
+// would hide the sky, which is endlessly far.
+void roundAbsorption(GpuScene& out) {
+  if ((out.features & FEATURE_ABSORPTION) == 0) return;
+  std::vector<glm::vec4*> rows{&out.rows[CAMERA_ROWS - 1]};
+  for (std::uint32_t row = out.params.materialRow; row < out.params.objectRow; row += MATERIAL_ROWS)
+    rows.push_back(&out.rows[row + 4]);
+  float largest = 0.0f;
+  for (const glm::vec4* row : rows) largest = std::max({largest, row->x, row->y, row->z});
+  const float quantum =
+      std::max(std::exp2(std::floor(std::log2(largest)) - 20.0f), std::numeric_limits<float>::min());
+  for (glm::vec4* row : rows)
+    for (int c = 0; c < 3; ++c) (*row)[c] = std::round((*row)[c] / quantum) * quantum;
+}
+
 // Materials and object ids in the order of the primitives; emissive ones join the lights.
 void appendSurfaces(GpuScene& out, const Scene& scene, const ShapeLists& shapes,
                     const InstanceList& instanceList, LightRows& lights, TexturePlaces& textures,
@@ -280,6 +296,7 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Scen
   shapes.kinds[instances] = instanceList.shapes;
   appendShapes(out, shapes);
   appendSurfaces(out, scene, shapes, instanceList, lights, texturePlaces, glass);
+  roundAbsorption(out);
   appendLights(out, lights);
   appendEnvironment(out, objects);
   appendTopLevel(out, shapes, instanceList, search);

@@ -48,9 +48,6 @@ struct Tally {
   float clamped;  // luminance cut off, nit
 };
 
-// Metres that a ray to the sky runs through what absorbs: not endless, for a difference of absorptions keeps last digits.
-const float WAY_TO_SKY = 1e4;
-
 // Light that is sampled at the last vertex may also be met just behind it; both halves of the estimate are needed.
 uint lastBounce() { return params.maxBounces + ((params.flags & TRACE_MET_LIGHTS) != 0u ? 1u : 0u); }
 

@@ -147,7 +147,7 @@ void recordPath(uint first, uvec2 pixel) {
     recordRows[at + RECORD_HIT] = vec4(hit.t, indexNumber(hit.primitive), uintBitsToFloat(hit.triangle), 0.0);
     uint primitive = min(hit.primitive, l.end - 1u);
     Vertex v = vertexAt(Hit(hit.t, primitive, hit.triangle), path, seed, l);
-    path = arrived(path, left ? WAY_TO_SKY : hit.t);
+    path = arrived(path, hit.t);
     recordSurface(at + RECORD_SURFACE, v);
     bool alive = maxComponent(path.throughput) > 0.0;
     vec3 met = alive ? metLight(path, v, left) : vec3(0.0);

@@ -60,7 +60,7 @@ void main() {
     bool alive = maxComponent(path.throughput) > 0.0;
     uint primitive = min(hit.primitive, l.end - 1u);
     Vertex v = vertexAt(Hit(hit.t, primitive, hit.triangle), path, seed, l);
-    if (kAbsorption && alive) path.throughput *= exp(-path.absorption * (missed ? WAY_TO_SKY : hit.t));
+    if (kAbsorption && alive) path.throughput *= exp(-path.absorption * hit.t);
     BakedSamples baked = sampleBakedLights(v);
 
     // Decide whether the path ends: nothing left to carry, bounce limit, then Russian roulette.

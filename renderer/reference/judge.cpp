@@ -224,7 +224,7 @@ struct Judge::Impl {
     const bool left = hit.y < 0.0f;
     if (!left) compareSurface(hit, device.subspan(shaders.RECORD_SURFACE), path, notes);
     Double::Vertex v = vertexOf(given.subspan(shaders.RECORD_SURFACE), path, hit);
-    path = shaders.arrived(path, left ? double(shaders.WAY_TO_SKY) : double(hit.x));
+    path = shaders.arrived(path, double(hit.x));
     // A path that carries nothing meets nothing.
     const bool alive = shaders.maxComponent(path.throughput) > 0.0;
     notes.vector(Quantity::met, vectorOf(device[shaders.RECORD_MET]),

@@ -151,6 +151,19 @@ TEST_F(GlassTest, solids_within_each_other_absorb_both) {
   expectTint(seen(8.0f, 2.0f), seen(0.0f, 0.0f), 4.0 / 8.0 + 1.0 / 2.0);
 }
 
+TEST_F(GlassTest, solids_within_each_other_leave_no_rest_that_hides_the_sun) {
+  const auto seen = [&](float outer, float inner) {
+    Scene scene = plainScene(8);
+    addLight(scene, {{0, 0, 0}, facing({-1, 0, -1}), dvec3(1.0)}, DirectionalLight{}, 1.0f);
+    add(scene, at({0, 0, 0}), Box{{8, 8, 2}}, tint(outer));
+    add(scene, at({0, 0, 0.2}), Box{{6, 6, 1}}, tint(inner));
+    add(scene, at({0, 0, -30}, {1, 0, 0}, pi / 2), Rect{{9, 9}}, lambert(glm::vec3(0.8f)));
+    return render(scene, lookAt({0, 0, 10}, {0, 0, 0}, 0.02), {8, 8}, 16);
+  };
+  for (const auto& [outer, inner] : {std::pair(1.7f, 0.9f), std::pair(0.9f, 1.7f), std::pair(30.0f, 0.7f)})
+    expectTint(seen(outer, inner), seen(0.0f, 0.0f), 2.0 / outer + 1.0 / inner);
+}
+
 TEST_F(GlassTest, an_absorbing_half_space_lets_nothing_of_the_sky_through) {
   Scene scene = plainScene(8);
   addSky(scene);
