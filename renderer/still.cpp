@@ -84,7 +84,9 @@ StillResult renderStill(Renderer& renderer, const StillRequest& request, const S
   std::uint64_t measureAt = 2;
   for (double budgetMs = std::min(15.0, request.batchMs);;
        budgetMs = std::min(budgetMs * 2.0, request.batchMs)) {
-    // Trace a batch
+    // Trace a batch; where the error decides, no pass goes beyond the place at which it is measured next
+    if (request.untilRelRmse)
+      renderer.extendSamples(std::min(lastSample(request), request.sampleBegin + measureAt));
     const bool more = renderer.trace(budgetMs);
     const std::uint64_t samples = renderer.stats().samples;
     if (result.secondsToFirstPixel == 0.0) result.secondsToFirstPixel = secondsSince(start);
