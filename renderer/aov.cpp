@@ -161,7 +161,7 @@ std::vector<AovLayer> Renderer::aovs(const AovRequest& request) {
     TraceParams params = impl_->scene.params;
     FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers(), impl_->scene.shapeHierarchy());
     hits = pass.run(params, std::uint32_t(std::clamp(request.samples, 1, 4096)),
-                    iterationsPerVertex(params, 1, impl_->scene.traversalSteps));
+                    iterationsPerVertex(params, 1, impl_->scene.traversalSteps * impl_->scene.traversals));
   }
   std::vector<AovLayer> layers;
   for (const Aov kind : kinds)
