@@ -299,9 +299,9 @@ float survivalOf(Path path) {
   return roulettePlayed(path) ? min(1.0, carried) : 1.0;
 }
 
-// The ray that goes on from a vertex along a sampled direction; eta as that of its lobes. Its cone is an eighth as wide as the lobe: textures that
-// are seen in a mirror stay sharp, those that light a rough surface are looked up coarsely (after Akenine-Moller et al.,
-// Improved Shader and Texture Level of Detail Using Ray Cones, JCGT 10(1), 2021).
+// The ray that goes on from a vertex along a sampled direction; eta: that of its lobes. Its cone is an eighth as wide as the
+// lobe: textures that are seen in a mirror stay sharp, those that light a rough surface are looked up coarsely (after
+// Akenine-Moller et al., Improved Shader and Texture Level of Detail Using Ray Cones, JCGT 10(1), 2021).
 void goOn(inout Path path, float t, Vertex v, float eta, BsdfSample next) {
   vec3 wi = toWorld(v.frame, next.wi);
   path.ray = leaving(v, wi, next.wi);

@@ -56,6 +56,7 @@ void StillJob::measure() {
 }
 
 bool StillJob::advance(double budgetMs) {
+  if (settings_.byError) renderer_.extendSamples(measureAt_);
   const bool more = renderer_.trace(budgetMs);
   if (stats().samples >= measureAt_) measure();
   return !more || goodEnough();
