@@ -41,10 +41,9 @@ void Tracer::beginPass(Film& film, const LoopPlan& plan, std::uint64_t sampleEnd
   const double perSample = cost_.msPerMegasample() * double(film.pixels()) * 1e-6;
   // Grow gently: never more than what is there already, so that early pictures come soon.
   // A pass of many samples keeps all lanes busy (16, 64 and 128 a pass take 1, .96 and .93 of the time on
-  // lavapipe); what does not fit the budget is cut into bands of rows. From 128
-  // samples on an eighth of what is there: a picture that ends within a pass shows no seam then, and a part
-  // that is interrupted is soon whole. Short budgets belong to a viewport, whose count of samples should keep
-  // moving.
+  // lavapipe); what does not fit the budget is cut into bands of rows. From 128 samples on an eighth of what
+  // is there: a picture that ends within a pass shows no seam then, and a part that is interrupted is soon
+  // whole. Short budgets belong to a viewport, whose count of samples should keep moving.
   const std::uint64_t grown = std::max<std::uint64_t>(1, p.done - p.begin);
   const double fewest = budgetMs < interactiveBudgetMs ? 4.0 : 16.0;
   const double most = budgetMs < interactiveBudgetMs ? 4.0 : 128.0;

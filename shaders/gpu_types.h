@@ -2,7 +2,7 @@
 // Everything that C++ and GLSL both know of the data on the device, declared once.
 //
 // Scene data is a list of vec4 rows in one texel buffer, relative to the camera (origin = camera position):
-//   camera (3 rows), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
+//   camera (CAMERA_ROWS), filter table (FILTER_ROWS), spheres (1 row each), planes (1), large spheres (2),
 //   boxes, rects, disks, cylinders, ellipsoids (3 each), mesh instances (7), texture references,
 //   tables of rough glass (GLASS_ROWS per index of refraction), materials (8 per primitive),
 //   object ids (1 per primitive), lights (4; suns first), light tree, environment (6), top level of the
