@@ -99,7 +99,7 @@ void pushMaterial(std::vector<glm::vec4>& rows, const Material& m, std::uint32_t
   rows.emplace_back(m.emissionColor * m.emissionLuminance, std::bit_cast<float>(light));
   rows.emplace_back(m.transmission, m.ior, m.clearcoat, coatAlpha);
   rows.emplace_back(absorptionOf(m), std::bit_cast<float>(glassRow));
-  rows.emplace_back(f82Coefficient(m.albedo, m.edgeTint), 0.0f);
+  rows.emplace_back(f82Coefficient(m.albedo, m.edgeTint), float(1.0 / meanTransmittance(m.ior)));
   rows.emplace_back(std::bit_cast<float>(refs.x), std::bit_cast<float>(refs.y), std::bit_cast<float>(refs.z),
                     std::bit_cast<float>(refs.w));
   rows.emplace_back(m.normalScale, m.opacity, m.alphaCutoff, 0.0f);

@@ -12,6 +12,7 @@ struct Lobes {
   float dielectricF0;    // which loses this Schlick reflectance at the half vector
   float dielectricF90;
   float exactLoss;       // and this share of the exact one
+  float diffusePassed;   // behind glass: 1 / the share of even light that passes from outside; 0 = nothing to pass
   vec3 f0;               // facets: Schlick reflectance head-on, and at grazing
   vec3 f90;
   vec3 edge;             // less edge * cos * (1 - cos)^6 (F82)
@@ -33,6 +34,7 @@ Lobes noLobes() {
   lobes.dielectricF0 = 0.0;
   lobes.dielectricF90 = 0.0;
   lobes.exactLoss = 0.0;
+  lobes.diffusePassed = 0.0;
   lobes.f0 = vec3(0.0);
   lobes.f90 = vec3(0.0);
   lobes.edge = vec3(0.0);
@@ -96,6 +98,28 @@ float diffuseChance(Lobes lobes, LobeKinds kinds) {
   return max(rest, 0.0);
 }
 
+// The sine squared up to which light that is diffuse behind glass leaves: from within, not where total reflection begins.
+float diffuseRange(Lobes lobes, LobeKinds kinds) {
+  bool narrow = kinds.transmission && lobes.diffusePassed > 0.0;
+  return narrow ? min(lobes.eta * lobes.eta, 1.0) : 1.0;
+}
+
+// The diffuse lobe, white. Behind glass its light has to pass the surface once more, as light from wo had to: the lobe is
+// reciprocal then, and sends nothing where a smooth solid would keep it for ever.
+FacetValue diffuseValue(Lobes lobes, float cosI, LobeKinds kinds) {
+  float lambert = cosI * (1.0 / PI);
+  float leaving = 1.0;
+  if (kinds.transmission) {
+    float range = diffuseRange(lobes, kinds);
+    float sin2 = 1.0 - cosI * cosI;
+    float cosT = sqrt(max(1.0 - sin2 / (lobes.eta * lobes.eta), 0.0));
+    float passed = fresnelTransmitted(cosI, cosT, lobes.eta) * lobes.diffusePassed;
+    leaving = lobes.diffusePassed > 0.0 ? passed : 1.0;
+    lambert = sin2 <= range ? lambert / range : 0.0;
+  }
+  return FacetValue(lambert * leaving, lambert);
+}
+
 BsdfValue transmittedValue(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
   vec3 h = lobes.thin ? vec3(wo.x + wi.x, wo.y + wi.y, wo.z - wi.z) : wo + wi * lobes.eta;
   float length2 = max(dot(h, h), 1e-30);
@@ -130,9 +154,9 @@ BsdfValue evalBsdf(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
   if (kinds.diffuse) {
     float loss = lobes.dielectricF0 + (lobes.dielectricF90 - lobes.dielectricF0) * grazing;
     if (kinds.transmission) loss += lobes.exactLoss * glass;
-    float lambert = wi.z * (1.0 / PI);
-    fCos = lobes.diffuse * ((1.0 - loss) * lambert);
-    pdf = diffuseChance(lobes, kinds) * lambert;
+    FacetValue diffuse = diffuseValue(lobes, wi.z, kinds);
+    fCos = lobes.diffuse * ((1.0 - loss) * diffuse.fCos);
+    pdf = diffuseChance(lobes, kinds) * diffuse.pdf;
   }
   if (kinds.glossy) {
     FacetValue facets = reflectingFacets(h, length2, wo.z, wi.z, lobes.alpha);

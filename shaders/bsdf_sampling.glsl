@@ -131,7 +131,7 @@ struct BsdfDraw {
 BsdfDraw drawBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
   LobeChoice choice = chooseLobe(lobes, u, kinds);
   CosSin azimuth = cosSinTurn(v);
-  vec3 wi = kinds.diffuse ? cosineHemisphere(azimuth.c, azimuth.s, choice.u) : vec3(0.0, 0.0, 1.0);
+  vec3 wi = kinds.diffuse ? cosineHemisphere(azimuth.c, azimuth.s, choice.u * diffuseRange(lobes, kinds)) : vec3(0.0, 0.0, 1.0);
   if (kinds.glossy || kinds.coat) {
     vec3 mirrored = sampleFacets(lobes, choice, wo, azimuth, kinds);
     wi = choice.specular || choice.passed || choice.coat ? mirrored : wi;

@@ -29,9 +29,9 @@
 //   MATERIAL_*) |
 //                emission (nit), bits: light that samples this primitive or NO_LIGHT |
 //                transmission, ior, coat weight, coat alpha | absorption (1/m), bits: glass row | F82
-//                coefficient, - | bits: texture references of albedo, metallic-roughness, normal, emission
-//                (rows; 0 = none) | normal scale, opacity, alpha cutoff, - (one per primitive: a shared table
-//                would cost a dependent fetch at every vertex)
+//                coefficient, 1 / meanTransmittance() | bits: texture references of albedo,
+//                metallic-roughness, normal, emission (rows; 0 = none) | normal scale, opacity, alpha cutoff,
+//                - (one per primitive: a shared table would cost a dependent fetch at every vertex)
 //   texture ref  bits: first word, width, height, TEXEL_* | transformX, - | transformY, -
 //   object id    bits, -, -, -
 //   point        position, kind | intensity (cd), - | - | -

@@ -166,6 +166,7 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
   lobes.diffuse = diffuse;
   if (kEdgeTint) lobes.edge = metal * fetchRow(row + 5u).xyz;
   bool atHalfVector = !compensated();
+  if (kTransmission && kDiffuse) lobes.diffusePassed = glass && !thin && !atHalfVector ? fetchRow(row + 5u).w : 0.0;
   lobes.dielectricF0 = atHalfVector && !glass ? m.dielectricF0 : 0.0;
   lobes.dielectricF90 = atHalfVector && !glass ? m.dielectricF90 : 0.0;
   lobes.exactLoss = atHalfVector && glass ? 1.0 : 0.0;

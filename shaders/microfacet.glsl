@@ -61,7 +61,7 @@ float smithG2(float cosO, float cosI, float alpha) {
   return 2.0 * cosO * cosI / (cosI * ggxA(cosO, alpha) + cosO * ggxA(cosI, alpha));
 }
 
-// White facets: value times cosine, and density of sampling by visible normals, per solid angle.
+// White facets, or what lies below them: value times cosine, and density of sampling, per solid angle.
 struct FacetValue {
   float fCos;
   float pdf;

@@ -23,4 +23,14 @@ glm::vec3 f82Coefficient(const glm::vec3& f0, const glm::vec3& edgeTint) {
   return schlick * (glm::vec3(1.0f) - edgeTint) / (cosine * rest * rest5);
 }
 
+double meanTransmittance(double ior) {
+  const double above = ior - 1.0, n2 = ior * ior, sum = n2 + 1.0, difference = above * (ior + 1.0);
+  if (above <= 0.0) return 1.0;
+  const double quartic = sum * difference;  // n^4 - 1, with all digits near n = 1
+  return 0.5 - above * (3.0 * ior + 1.0) / (6.0 * (ior + 1.0) * (ior + 1.0)) -
+         n2 * difference * difference / (sum * sum * sum) * std::log(above / (ior + 1.0)) +
+         2.0 * n2 * ior * (n2 + 2.0 * ior - 1.0) / (sum * quartic) -
+         8.0 * n2 * n2 * (n2 * n2 + 1.0) / (sum * quartic * quartic) * std::log1p(above);
+}
+
 }  // namespace steradian

@@ -13,4 +13,8 @@ double conductorReflectance(double n, double k, double cosine);
 /// Schlick's, per channel (Kutz, Hasan & Edmondson, "Novel aspects of the Adobe Standard Material", 2021).
 glm::vec3 f82Coefficient(const glm::vec3& f0, const glm::vec3& edgeTint);
 
+/// Share of even light that enters a smooth dielectric of index `ior` >= 1 (Walsh 1926; Duntley, J. Opt. Soc.
+/// Am. 32, 1942). From within, ior^2 times less leaves.
+double meanTransmittance(double ior);
+
 }  // namespace steradian

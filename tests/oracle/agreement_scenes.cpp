@@ -161,6 +161,8 @@ std::vector<AgreementCase> glassCases() {
   satin.roughness = 0.65f;
   Material milky = plastic(0.5f, {0.9f, 0.8f, 0.6f});
   milky.transmission = 0.5f;
+  Material milkGlass = milky;
+  milkGlass.roughness = 0.0f;
   Material tinted = glass;
   tinted.albedo = {0.9f, 0.5f, 0.2f};
   const auto sheet = [](const Material& material, const Shape& shape) {
@@ -194,6 +196,7 @@ std::vector<AgreementCase> glassCases() {
           {"CompensatedRoughThinGlass", compensated(sheet(satin, Disk{1.0})), kView},
           {"CompensatedGlassSphere", compensated(withSky(ball(glass, 24))), kView},
           {"CompensatedHalfTransmission", compensated(pool(milky)), kDown},
+          {"CompensatedMilkGlassSphere", compensated(withSky(ball(milkGlass, 24))), kView},
           {"CompensatedRoughGlassPool", compensated(pool(frosted)), kDown, 10, 64, 20000},
           {"CompensatedRoughGlassSphere", compensated(withSky(ball(frosted, 12))), kView, 5, 256, 40000},
           {"RoughGlassPool", pool(satin), kDown, 10, 64, 20000},

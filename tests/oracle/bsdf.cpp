@@ -71,6 +71,11 @@ double Bsdf::diffuseShare(double c) const {
   return 1.0 - (m_.transmission > 0.0f ? exactAlbedo : schlickAlbedo) * specularGain();
 }
 
+double Bsdf::diffuseShape(double cosI) const {
+  if (!finish_.base || m_.transmission == 0.0f || !solid_) return 1.0;
+  return (1.0 - fresnelDielectric(cosI, etaO_, etaT_)) / finish_.base->meanPassed(etaO_ < etaT_);
+}
+
 double Bsdf::belowCoat() const {
   if (m_.clearcoat == 0.0f) return 1.0;
   if (!finish_.coat) return 1.0 - m_.clearcoat * schlick(kCoatF0, 1.0, wo_.z);
@@ -88,7 +93,8 @@ dvec3 Bsdf::reflect(const dvec3& wi) const {
   const double c = glm::dot(wo_, h);
   const double lobe = microfacets(alpha_, wo_, wi, h);
   const AlbedoTable* table = finish_.base.get();
-  const dvec3 diffuse = albedo_ * ((1.0 - m_.transmission) * diffuseShare(c) / std::numbers::pi);
+  const double matt = (1.0 - m_.transmission) * diffuseShare(c) * diffuseShape(wi.z);
+  const dvec3 diffuse = albedo_ * (matt / std::numbers::pi);
   const dvec3 plastic = diffuse + lobe * dielectric(c) * specularGain();
   dvec3 metallic = lobe * metal(c);
   for (int i = 0; i < 3; ++i) metallic[i] *= compensation(albedo_[i], table);

@@ -20,9 +20,10 @@ struct DeltaLobe {
 /// albedo at wo; without them it loses the reflectance at the half vector (coat: at the normal). Choices made
 /// here: glass (transmission > 0) reflects by the exact Fresnel law and ignores the specular weight; with
 /// tables its two lobes are divided by their common albedo at wo; every crossing of a tinted surface costs
-/// one albedo; thin glass is a pane of two faces, whose inner reflections are summed; it passes straight on,
-/// and when rough scatters what passes as a reflection would be, mirrored through the sheet
-/// (KHR_materials_transmission).
+/// one albedo; with tables, the matt lobe of a solid that also passes light lies behind its smooth boundary,
+/// which light crosses on both ways: (1 - F(wo)) (1 - F(wi)) over the mean of 1 - F; thin glass is a pane of
+/// two faces, whose inner reflections are summed; it passes straight on, and when rough scatters what passes
+/// as a reflection would be, mirrored through the sheet (KHR_materials_transmission).
 class Bsdf {
  public:
   /// `outside`: wo is on the side of the outward normal; `solid`: the surface bounds a volume.
@@ -42,6 +43,7 @@ class Bsdf {
   double dielectric(double c) const;
   dvec3 metal(double c) const;
   double diffuseShare(double c) const;
+  double diffuseShape(double cosI) const;
   double belowCoat() const;
   double compensation(double f0, const AlbedoTable* table) const;
   double specularGain() const;

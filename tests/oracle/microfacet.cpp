@@ -78,6 +78,11 @@ glm::dvec3 fresnelF82(const glm::dvec3& f0, const glm::dvec3& edgeTint, double c
 }
 
 AlbedoTable::AlbedoTable(double alpha, double ior) : alpha_(alpha), ior_(ior) {
+  constexpr int points = 4096;
+  for (int i = 0; i < points; ++i) {  // 2 cos d(cos) = d(cos^2)
+    const double cos2 = (i + 0.5) / points;
+    meanFromAir_ += (1.0 - fresnelDielectric(std::sqrt(cos2), 1.0, ior)) / points;
+  }
   if (alpha < kMirrorAlpha) return;
   constexpr int last = 128;
   for (int i = 0; i <= last; ++i) {

@@ -38,10 +38,12 @@ class AlbedoTable {
   };
   AlbedoTable(double alpha, double ior);
   Row at(double mu) const;
+  /// Share of even light that passes the smooth boundary, from the air or from within.
+  double meanPassed(bool fromAir) const { return fromAir ? meanFromAir_ : meanFromAir_ / (ior_ * ior_); }
 
  private:
   Row integrate(double mu) const;
-  double alpha_, ior_;
+  double alpha_, ior_, meanFromAir_ = 0.0;
   std::vector<Row> rows_;  // at mu = (i / last)^2; empty for a mirror, whose rows are closed forms
 };
 

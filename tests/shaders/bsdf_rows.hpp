@@ -23,7 +23,7 @@ struct Material {
   float alpha = 0.5f;
   float lobes = glossyBit;
   glm::vec3 edge{0.0f};
-  float exact = 0.0f, exactLoss = 0.0f;
+  float exact = 0.0f, exactLoss = 0.0f, diffusePassed = 0.0f;
   glm::vec3 transmit{0.0f};
   float eta = 1.5f;
   bool thin = false;
@@ -53,7 +53,7 @@ inline void pushBsdf(Rows& rows, const Material& m, glm::vec3 wo, glm::vec3 seco
               {glm::vec4(wo, m.alpha), glm::vec4(second, chance), glm::vec4(m.diffuse, m.dielectricF0),
                glm::vec4(m.f0, m.dielectricF90), glm::vec4(m.f90, m.lobes), glm::vec4(m.edge, m.exact),
                glm::vec4(m.transmit, m.eta), glm::vec4(m.coat, m.coatAlpha, m.transmitChance, m.coatChance),
-               glm::vec4(m.thin, m.exactLoss, 0, 0)});
+               glm::vec4(m.thin, m.exactLoss, m.diffusePassed, 0)});
 }
 
 inline glm::dvec3 direction(double cosine, double azimuth) {

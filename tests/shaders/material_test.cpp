@@ -168,7 +168,7 @@ TEST_F(Materials, row23_nor_does_rough_glass_from_either_side_or_as_a_sheet) {
 TEST_F(Materials, row23_partly_transmitting_glass_keeps_its_energy) {
   std::vector<Surface> materials;
   for (const float transmission : {0.1f, 0.5f, 0.9f})
-    for (const float roughness : {0.1f, 0.3f, 0.6f, 1.0f})
+    for (const float roughness : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f})
       for (const float ior : {1.1f, 1.5f, 2.4f}) {
         materials.push_back(glass(roughness));
         materials.back().ior = ior;
@@ -309,6 +309,33 @@ TEST_F(Materials, row26_glass_is_reciprocal_but_for_the_compression_of_radiance)
   }
   measured("relative difference of f(l, v) and f(v, l)", worst, 1e-5);
   measured("the same at facets edge-on, * cosine / 0.05", worstEdgeOn, 1e-5);
+}
+
+TEST_F(Materials, row26_diffuse_light_behind_smooth_glass_is_reciprocal_and_leaves_what_it_can) {
+  Random random(261);
+  Surface milk = glass(0.0f);
+  milk.transmission = 0.5f;
+  Rows there, back;
+  for (int i = 0; i < 20'000; ++i) {
+    const float flags = i % 2 ? insideBit : 0.0f;
+    const glm::vec3 a(direction(random.uniform(0.05, 1), 1)), b(direction(random.uniform(0.05, 1), 4));
+    there.insert(there.end(), {glm::vec4(a, 0), glm::vec4(b, flags)});
+    back.insert(back.end(), {glm::vec4(b, 0), glm::vec4(a, flags)});
+  }
+  const Task task = materialTask(1, {milk}, true);
+  const Rows f = run(materialKernel, task, there), g = run(materialKernel, task, back);
+  const float critical = std::sqrt(1.0f - 1.0f / 2.25f);
+  double worst = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const float cosA = there[2 * i].z, cosB = back[2 * i].z;
+    const bool kept = i % 2 && std::min(cosA, cosB) < critical;
+    if (kept) ASSERT_LE(std::max(f[i].x, g[i].x), 1e-6f) << "total reflection lets nothing out";
+    // Beside the critical angle the cosines themselves have too few digits.
+    if (i % 2 && std::min(cosA, cosB) < 1.01f * critical) continue;
+    worst = std::max(worst, std::fabs(double(f[i].x / cosB) / double(g[i].x / cosA) - 1));
+  }
+  EXPECT_LE(worst, 1e-5);
+  measured("relative difference of diffuse f(l, v) and f(v, l)", worst, 1e-5);
 }
 
 TEST_F(Materials, grazing_and_degenerate_materials_stay_finite) {

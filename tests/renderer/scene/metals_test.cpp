@@ -144,5 +144,15 @@ TEST(Metals, OnlyTheSurfaceOfAMaterialChanges) {
   EXPECT_EQ(made.metallic, 1.0f);
 }
 
+TEST(Fresnel, the_mean_of_what_passes_a_smooth_surface_is_its_integral) {
+  for (const double ior : {1.0, 1.000001, 1.1, 1.5, 2.42, 30.0}) {
+    constexpr int points = 200'000;
+    double sum = 0.0;
+    for (int i = 0; i < points; ++i)  // 2 cos d(cos) = d(cos^2)
+      sum += 1.0 - byAmplitudes(ior, 0.0, std::sqrt((i + 0.5) / points));
+    EXPECT_NEAR(meanTransmittance(ior), sum / points, 1e-6) << ior;
+  }
+}
+
 }  // namespace
 }  // namespace steradian

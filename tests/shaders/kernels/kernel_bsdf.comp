@@ -18,7 +18,7 @@ Lobes whiteFacets(float alpha) {
 
 const uint kRows = 9u;
 // Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, lobe bits)
-//       (edge, exact) (transmit, eta) (coat, coat alpha, transmit chance, coat chance) (thin, exact loss, -, -).
+//       (edge, exact) (transmit, eta) (coat, coat alpha, transmit chance, coat chance) (thin, exact loss, diffuse passed, -).
 struct Question {
   Lobes lobes;
   vec3 wo;
@@ -47,6 +47,7 @@ Question fetchQuestion(uint at) {
   lobes.coatChance = rows[7].w;
   lobes.thin = rows[8].x != 0.0;
   lobes.exactLoss = rows[8].y;
+  lobes.diffusePassed = rows[8].z;
   uint bits = uint(rows[4].w);
   LobeKinds kinds = LobeKinds((bits & 1u) != 0u, (bits & 2u) != 0u, (bits & 4u) != 0u, (bits & 8u) != 0u,
                               (bits & 16u) != 0u, (bits & 32u) != 0u, false);
