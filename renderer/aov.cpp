@@ -3,6 +3,7 @@
 #include "renderer/aov.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "renderer/film_sums.hpp"
@@ -38,7 +39,9 @@ std::uint32_t groups(std::uint32_t pixels) {
 
 class FirstHitPass {
  public:
-  FirstHitPass(const Device& device, Extent extent, const TexelBuffers& scene, bool shapeHierarchy)
+  /// Adds rays that ran out of the driver's loop budget to the film's `counters`.
+  FirstHitPass(const Device& device, Extent extent, const TexelBuffers& scene, bool shapeHierarchy,
+               const Buffer& counters)
       : device_(device),
         extent_(extent),
         pixels_(std::size_t(extent.width) * extent.height),
@@ -47,12 +50,12 @@ class FirstHitPass {
         albedo_(device, BufferKind::deviceLocal, pixels_ * 16, "albedo"),
         normal_(device, BufferKind::deviceLocal, pixels_ * 16, "normals"),
         object_(device, BufferKind::deviceLocal, pixels_ * 4, "object ids"),
-        storage_{&albedo_, &normal_, &object_},
-        bindings_(device, scene, storage_) {}
+        bindings_(device, scene,
+                  std::array<const Buffer*, 5>{&albedo_, &normal_, &object_, nullptr, &counters}) {}
 
   /// All rows of the film, in bands of bounded work.
   FirstHits run(TraceParams params, std::uint32_t samples, std::uint64_t testsPerVertex) {
-    for (const Buffer* buffer : storage_) fillZero(device_, *buffer);
+    for (const Buffer* buffer : {&albedo_, &normal_, &object_}) fillZero(device_, *buffer);
     const std::uint64_t perRow = std::uint64_t(params.width) * (raysPerDispatch + 1) * testsPerVertex;
     const auto band = std::uint32_t(std::max<std::uint64_t>(aovGroupSize, testsPerDispatch / perRow));
     // A vertex' two traversals and more are room for one camera ray and, once, that of the object id.
@@ -80,7 +83,6 @@ class FirstHitPass {
   std::size_t pixels_;
   ComputePass pass_;
   Buffer albedo_, normal_, object_;
-  const Buffer* storage_[3];
   Bindings bindings_;
 };
 
@@ -149,7 +151,8 @@ const char* nameOf(Aov aov) {
 
 std::vector<AovLayer> Renderer::aovs(const AovRequest& request) {
   if (!impl_->film || request.kinds.empty()) return {};
-  const Extent extent = impl_->currentFilm().extent();
+  const Film& film = impl_->currentFilm();
+  const Extent extent = film.extent();
   const auto& kinds = request.kinds;
   FirstHits hits;
   FilmSums sums;
@@ -159,9 +162,12 @@ std::vector<AovLayer> Renderer::aovs(const AovRequest& request) {
     throw Error(ExitCode::usage, "the variance of the pixels needs the error meter");
   if (!std::all_of(kinds.begin(), kinds.end(), ofFilm)) {
     TraceParams params = impl_->scene.params;
-    FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers(), impl_->scene.shapeHierarchy());
+    FirstHitPass pass(*impl_->device, extent, impl_->sceneBuffers(), impl_->scene.shapeHierarchy(),
+                      film.counters());
     hits = pass.run(params, std::uint32_t(std::clamp(request.samples, 1, 4096)),
                     iterationsPerVertex(params, 1, impl_->scene.traversalSteps * impl_->scene.traversals));
+    impl_->stats.faults =
+        downloadAs<std::uint32_t>(*impl_->device, film.counters(), COUNTER_FAULTS * 4, 1)[0];
   }
   std::vector<AovLayer> layers;
   for (const Aov kind : kinds)

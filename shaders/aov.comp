@@ -9,6 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 1) buffer Albedo { vec4 albedoSum[]; };  // albedo, hits
 layout(set = 0, binding = 2) buffer Normal { vec4 normalSum[]; };  // normal towards the viewer, distance
 layout(set = 0, binding = 3) buffer Object { uint objectId[]; };
+layout(set = 0, binding = 5) buffer Counters { uint counters[COUNTERS]; };
 
 uint objectAt(CameraRows camera, uvec2 pixel, Layout l) {
   CameraRay seen = cameraRay(camera, float(pixel.x) + 0.5, float(pixel.y) + 0.5, 0.0, 0.0);
@@ -40,4 +41,5 @@ void main() {
   if (params.sampleBegin == 0u) objectId[at] = objectAt(camera, pixel, l);
   albedoSum[at] += albedo;
   normalSum[at] += normal;
+  if (traversalCut) atomicAdd(counters[COUNTER_FAULTS], 1u);
 }

@@ -79,7 +79,7 @@ int runRender(const RenderOptions& options) {
   renderer.setDisplay(scene.display);
   renderer.setScene(scene, view, {scene.render.width, scene.render.height});
   const double traceStart = secondsSinceStart();
-  const StillResult result = trace(renderer, request, interruption);
+  StillResult result = trace(renderer, request, interruption);
 
   const DeviceDescription description = describe(*device);
   const bool partial = result.end == StillEnd::cancelled;
@@ -94,6 +94,7 @@ int runRender(const RenderOptions& options) {
   if (!aovs.empty())
     for (plugins::ImageLayer& layer : aovLayers(renderer, aovs, part))
       extras.layers.push_back(std::move(layer));
+  result.stats.faults = renderer.stats().faults;
   saveStill(host, renderer, origin, options.outputs, prepared.exporterParameters, extras);
   for (const std::string& doubt : doubtsAbout(result.stats)) warn(doubt);
   if (partial) warn("interrupted; what was finished is saved");

@@ -33,6 +33,21 @@ TEST_F(Alpha, each_of_many_veils_lets_its_share_through_and_costs_no_bounce) {
   }
 }
 
+TEST_F(Alpha, layers_behind_more_veils_than_a_driver_follows_are_counted_as_faults) {
+  for (const int layers : {12, 1000}) {
+    Scene scene = plainScene(0);
+    const Id black = add(scene, veil(0.0005f, lambert(glm::vec3(0.0f))));
+    for (int i = 0; i < layers; ++i) add(scene, at({0, 0, -0.004 * i}), shape(picture()), black);
+    add(scene, at({0, 0, -6}, {1, 0, 0}, 0.0, dvec3(3.0)), shape(picture()), lambert(glm::vec3(1.0f)));
+    renderer().setScene(scene, lookAt({0, 0, 10}, {0, 0, 0}, 2.0 * std::atan(0.09)), {16, 16});
+    const AovLayer albedo = renderer().aovs({{Aov::albedo}, 32}).at(0);
+    const bool right = std::abs(meanOf(albedo.pixels).value - std::pow(0.9995, layers)) < 0.02;
+    EXPECT_TRUE(right || renderer().stats().faults > 0) << layers;
+    if (layers == 12) EXPECT_TRUE(right && renderer().stats().faults == 0);
+  }
+  frontal(plainScene(0), 1);  // what follows finds a clean film
+}
+
 TEST_F(Alpha, veils_at_one_place_count_each_whether_of_one_mesh_or_of_several) {
   for (const int copies : {1, 3}) {
     Mesh mesh = picture();
