@@ -5,6 +5,10 @@ namespace steradian {
 
 using namespace gpu;
 
+double samplesOnAverage(const FilmProgress& p, int height) {
+  return double(p.done - p.begin) + double(p.passEnd - p.done) * p.rowsDone / height;
+}
+
 Film::Film(const Device& device, Extent extent) : device_(device), extent_(extent) {
   const std::size_t bytes = pixels() * 16;
   for (Buffer& b : buffers_) b = Buffer(device, BufferKind::film, bytes, "film");

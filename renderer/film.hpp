@@ -21,6 +21,9 @@ struct FilmProgress {
   int rowsDone = 0;           // of the pass in progress
 };
 
+/// Samples per pixel, those of the pass in progress as far as its rows have come.
+double samplesOnAverage(const FilmProgress& progress, int height);
+
 /// Buffers as film.glsl declares them. One thread.
 class Film {
  public:

@@ -144,6 +144,7 @@ bool Renderer::Impl::traceFilm(double budgetMs) {
 void Renderer::Impl::updateTiming() {
   const TraceTotals& t = tracer.totals;
   stats.samples = film->progress.done - film->progress.begin;
+  stats.samplesOnAverage = samplesOnAverage(film->progress, film->extent().height);
   stats.traceSeconds = t.milliseconds * 1e-3;
   stats.msPerSample = t.pixelSamples > 0.0 ? t.milliseconds / t.pixelSamples * double(film->pixels()) : 0.0;
   stats.compileSeconds = variants.compileSeconds();

@@ -85,7 +85,8 @@ struct VariantInfo {
 };
 
 struct RenderStats {
-  std::uint64_t samples = 0;  // per pixel, complete over the whole film
+  std::uint64_t samples = 0;      // per pixel, complete over the whole film
+  double samplesOnAverage = 0.0;  // with those that only some rows hold yet: what progress goes by
   std::uint64_t raysClosest = 0, raysShadow = 0;
   std::uint64_t nanSamples = 0;  // dropped and counted
   std::uint64_t faults = 0;  // samples that met a feature left out or ran out of loop budget: 0 is a promise

@@ -20,13 +20,14 @@ class Conditions {
  public:
   Conditions(const StillRequest& request) : request_(request) {}
 
-  StillProgress progress(std::uint64_t samples, double seconds, const ErrorEstimate& error) const {
-    StillProgress now{samples, seconds, 0.0, std::nullopt, error};
-    if (request_.spp) consider(now, double(samples), double(*request_.spp));
+  StillProgress progress(const RenderStats& stats, double seconds, const ErrorEstimate& error) const {
+    StillProgress now{stats.samples, seconds, 0.0, std::nullopt, error};
+    const double samples = stats.samplesOnAverage;
+    if (request_.spp) consider(now, samples, double(*request_.spp));
     if (request_.untilSeconds)
       considerSeconds(now, seconds / *request_.untilSeconds, *request_.untilSeconds - seconds);
     if (request_.untilRelRmse && error.valid && measuredAt_ > 0)
-      consider(now, double(samples), samplesNeeded(measuredAt_, error, *request_.untilRelRmse));
+      consider(now, samples, samplesNeeded(measuredAt_, error, *request_.untilRelRmse));
     return now;
   }
   void measured(std::uint64_t samples) { measuredAt_ = samples; }
@@ -98,7 +99,7 @@ StillResult renderStill(Renderer& renderer, const StillRequest& request, const S
       measureAt = nextMeasurement(samples, error, request.untilRelRmse.value_or(0.0));
     }
     const double seconds = secondsSince(start);
-    if (callbacks.progress) callbacks.progress(conditions.progress(samples, seconds, error));
+    if (callbacks.progress) callbacks.progress(conditions.progress(renderer.stats(), seconds, error));
 
     // Stop at the first condition that is met
     const bool goodEnough = request.untilRelRmse && error.valid && error.relRmse <= *request.untilRelRmse;

@@ -63,7 +63,7 @@ bool StillJob::advance(double budgetMs) {
 }
 
 double StillJob::fraction() const {
-  const double samples = double(stats().samples);
+  const double samples = stats().samplesOnAverage;
   if (!settings_.byError) return std::clamp(samples / std::max(settings_.samples, 1), 0.0, 1.0);
   const ErrorEstimate& error = stats().error;
   if (!error.valid || !(error.relRmse > 0.0)) return 0.0;

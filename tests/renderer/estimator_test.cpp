@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The film as a measuring instrument: its sums stay exact, and its own figure of error is true.
+#include "renderer/still.hpp"
 #include "tests/renderer/renderer_fixture.hpp"
 #include "tests/renderer/scenes.hpp"
 
@@ -99,6 +100,22 @@ TEST_F(EstimatorTest, row38_meter_is_true_for_a_small_light_found_by_chance) {
   add(scene, at({0, 0, 0}), Plane{}, lambert(glm::vec3(0.8f)));
   add(scene, at({0, 2, 0}), Sphere{0.5}, emitter(20.0f));
   expectHonestMeter(scene, lookAt({0, 1, 6}, {0, 0, 0}, 0.4), 64);
+}
+
+TEST_F(EstimatorTest, progress_of_a_still_moves_within_a_pass_and_never_back) {
+  renderer().setScene(room(2), roomView(), {64, 192});
+  StillRequest request;
+  request.spp = 48;
+  request.batchMs = 0.01;  // as few rows at a time as there are
+  std::vector<StillProgress> seen;
+  renderStill(renderer(), request, {[&](const StillProgress& now) { seen.push_back(now); }, {}});
+  std::size_t within = 0;
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    EXPECT_GE(seen[i].fraction, seen[i - 1].fraction);
+    within += seen[i].samples == seen[i - 1].samples && seen[i].fraction > seen[i - 1].fraction;
+  }
+  EXPECT_GT(within, seen.size() / 2);
+  EXPECT_EQ(seen.back().fraction, 1.0);
 }
 
 TEST_F(EstimatorTest, ErrorFallsAtLeastAsFastAsTheSquareRootOfTheSamples) {
