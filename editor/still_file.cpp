@@ -49,7 +49,13 @@ StillExtras partExtras(Renderer& renderer, const StillOrigin& origin) {
   from.nan = origin.stats.nanSamples;
   from.devices = {origin.device};
   const Part part = partOf(renderer.filmSums(), std::move(from));
-  return {layersOf(part), partMetadata(part.origin), meanOf(part)};
+  StillExtras extras{layersOf(part), partMetadata(part.origin), meanOf(part)};
+  // As merge writes them: the meter on the device rounds.
+  if (const ErrorEstimate error = errorOf(part); error.valid) {
+    extras.metadata["steradian:rmse"] = number(error.rmse);
+    extras.metadata["steradian:relRmse"] = number(error.relRmse);
+  }
+  return extras;
 }
 
 void checkStillPath(const plugins::PluginHost& host, const std::filesystem::path& path) {

@@ -128,12 +128,9 @@ AovLayer filmLayer(Aov kind, Extent extent, const FilmSums& sums) {
   return layer(kind, extent, {"R", "G", "B"}, [&](std::size_t i, std::size_t c) {
     const glm::dvec2 n = counts(i);
     if (n.x == 0.0 || n.y == 0.0) return double(infinite);  // not known at all
-    const auto mean = [&](int half) {
-      const std::size_t at = i * 3 + c;
-      return (double(sums.sum[half].pixels[at]) - sums.carry[half].pixels[at]) / n[half];
-    };
     // As meter.comp: the squared difference of the halves, brought to the variance of the joint mean.
-    const double difference = mean(0) - mean(1), all = n.x + n.y;
+    const double difference = sums.radiance(0, i * 3 + c) / n.x - sums.radiance(1, i * 3 + c) / n.y,
+                 all = n.x + n.y;
     return difference * difference * n.x * n.y / (all * all);
   });
 }

@@ -14,14 +14,12 @@ constexpr std::size_t maxParameters = std::size(decltype(gpu::DisplayParams::par
 // Until a tonemapper is set: the display's range as it is.
 const Tonemapper identity{"none", "vec3 tonemap(vec3 sceneLinear) { return sceneLinear; }\n", {}};
 
-/// Factor before the tonemapper: stops, and for a physical exposure the luminance that ISO 100 film of this
-/// EV saturates at, 1.2 * 2^EV100 (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", eq. 62).
+}  // namespace
+
 float exposureScaleOf(const DisplaySettings& settings) {
   const float scale = std::exp2(settings.exposure);
   return settings.physical ? scale * std::exp2(-settings.ev100) / 1.2f : scale;
 }
-
-}  // namespace
 
 std::string displaySource(const Tonemapper& tonemapper, ShaderStage stage) {
   if (tonemapper.parameters.size() > maxParameters)

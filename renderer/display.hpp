@@ -11,6 +11,10 @@
 
 namespace steradian {
 
+/// Factor before the tonemapper: stops, and for a physical exposure the luminance that ISO 100 film of this
+/// EV saturates at, 1.2 * 2^EV100 (Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", eq. 62).
+float exposureScaleOf(const DisplaySettings& settings);
+
 /// The stage's whole text with this tonemapper in it. Line numbers in messages are the tonemapper's own.
 std::string displaySource(const Tonemapper& tonemapper, ShaderStage stage);
 

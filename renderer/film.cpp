@@ -18,24 +18,33 @@ Film::Film(const Device& device, Extent extent) : device_(device), extent_(exten
 }
 
 void Film::bind(const TexelBuffers& scene) {
-  const auto& b = buffers_;
   const Buffer* const written[] = {nullptr, nullptr, nullptr, nullptr, nullptr, &partials_, &picked_};
   TexelBuffers read = scene;
-  read.film = {&b[0], &b[1], &b[2], &b[3]};
+  read.film = texels();
   bindings_.emplace(device_, read, written);
   halfBindings_.clear();
   for (const int half : {0, 1}) {
-    const Buffer* const own[] = {&b[2 * half], &b[2 * half + 1], nullptr, nullptr, &counters_};
-    halfBindings_.emplace_back(device_, scene, own);
+    const Buffer* const digits = &buffers_[half * FILM_DIGITS];
+    const Buffer* const own[] = {digits, digits + 1, digits + 2, nullptr, &counters_};
+    TexelBuffers before = scene;
+    before.film = {digits, digits + 1, digits + 2};
+    halfBindings_.emplace_back(device_, before, own);
   }
 }
 
-void Film::clear(std::uint64_t firstSample) {
+std::array<const Buffer*, filmBuffers> Film::texels() const {
+  std::array<const Buffer*, filmBuffers> all;
+  for (std::size_t i = 0; i < filmBuffers; ++i) all[i] = &buffers_[i];
+  return all;
+}
+
+void Film::clear(std::uint64_t firstSample, float unit) {
   device_.run(QueueKind::compute, [&](const auto& cmd) {
     for (const Buffer& b : buffers_) recordFillZero(cmd, b);
     recordFillZero(cmd, counters_);
   });
   progress = {firstSample, firstSample, firstSample, 0};
+  unit_ = unit;
 }
 
 FilmParams Film::params(bool errorMeter) const {
@@ -48,6 +57,7 @@ FilmParams Film::params(bool errorMeter) const {
   p.samplesA = halfRange(progress.begin, progress.done, 0, errorMeter).count();
   p.samplesB = halfRange(progress.begin, progress.done, 1, errorMeter).count();
   p.relativeFloor = 0.01f;
+  p.filmUnit = unit_;
   return p;
 }
 

@@ -32,15 +32,19 @@ class Film {
 
   /// Bind with these buffers (after each new one among them).
   void bind(const gpu::TexelBuffers& scene);
-  void clear(std::uint64_t firstSample);
+  /// `unit`: see film_unit.hpp.
+  void clear(std::uint64_t firstSample, float unit);
 
   Extent extent() const { return extent_; }
   std::size_t pixels() const { return std::size_t(extent_.width) * extent_.height; }
-  /// The whole film: sums and carries of A and B at 1..4, meter and pick results behind them.
+  /// The whole film as texels, meter and pick results at 6 and 7.
   const gpu::Bindings& bindings() const { return *bindings_; }
-  /// What path_trace.comp sees: one half's sum and carry at 1 and 2, the counters at 5.
+  /// What path_trace.comp sees: one half's digits at 1..3, the counters at 5.
   const gpu::Bindings& halfBindings(int half) const { return halfBindings_[half]; }
-  const std::array<gpu::Buffer, 4>& buffers() const { return buffers_; }
+  /// Low, middle and high digits of half A, then of B.
+  const std::array<gpu::Buffer, gpu::filmBuffers>& buffers() const { return buffers_; }
+  std::array<const gpu::Buffer*, gpu::filmBuffers> texels() const;
+  float unit() const { return unit_; }
   /// Push constants of resolve and meter for what is accumulated now.
   gpu::FilmParams params(bool errorMeter) const;
 
@@ -56,7 +60,8 @@ class Film {
  private:
   const gpu::Device& device_;
   Extent extent_;
-  std::array<gpu::Buffer, 4> buffers_;  // sumA, carryA, sumB, carryB
+  float unit_ = 1.0f;
+  std::array<gpu::Buffer, gpu::filmBuffers> buffers_;
   gpu::Buffer partials_, picked_, counters_;
   std::optional<gpu::Bindings> bindings_;
   std::vector<gpu::Bindings> halfBindings_;

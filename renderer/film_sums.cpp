@@ -19,22 +19,35 @@ struct RowRange {
   int begin = 0, end = 0;
 };
 
-Image rgbOf(const gpu::Device& device, const gpu::Buffer& sums, int width, RowRange rows) {
-  const int height = rows.end - rows.begin;
-  const std::size_t before = std::size_t(width) * rows.begin, pixels = std::size_t(width) * height;
-  const gpu::Buffer rgba =
-      gpu::readBack(device, sums, before * sizeof(glm::vec4), pixels * sizeof(glm::vec4));
-  Image image{width, height, 3, std::vector<float>(pixels * 3)};
-  for (std::size_t i = 0; i < pixels; ++i)
-    std::memcpy(&image.pixels[i * 3], rgba.map() + i * sizeof(glm::vec4), 3 * sizeof(float));
-  return image;
+using Digits = std::array<gpu::Buffer, gpu::FILM_DIGITS>;
+
+Digits digitsOf(const gpu::Device& device, const gpu::Buffer* film, std::size_t firstPixel,
+                std::size_t pixels) {
+  Digits read;
+  for (std::size_t i = 0; i < read.size(); ++i)
+    read[i] = gpu::readBack(device, film[i], firstPixel * sizeof(glm::ivec4), pixels * sizeof(glm::ivec4));
+  return read;
+}
+
+std::vector<FilmSum> sumsOf(const Digits& digits, std::size_t pixels) {
+  const auto digit = [&](std::size_t which, std::size_t pixel, std::size_t channel) {
+    std::int32_t value;
+    std::memcpy(&value, digits[which].map() + (pixel * 4 + channel) * sizeof value, sizeof value);
+    return value;
+  };
+  std::vector<FilmSum> sums(pixels * 3);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    sums[i] = {digit(0, i / 3, i % 3), digit(1, i / 3, i % 3), digit(2, i / 3, i % 3)};
+  return sums;
 }
 
 FilmSums sumsOf(const gpu::Device& device, const Film& film, bool metered, RowRange rows) {
-  FilmSums out;
+  const int width = film.extent().width;
+  FilmSums out{width, rows.end - rows.begin, {}, film.unit()};
+  const std::size_t before = std::size_t(width) * rows.begin, pixels = std::size_t(width) * out.height;
   for (const int half : {0, 1}) {
-    out.sum[half] = rgbOf(device, film.buffers()[2 * half], film.extent().width, rows);
-    out.carry[half] = rgbOf(device, film.buffers()[2 * half + 1], film.extent().width, rows);
+    const gpu::Buffer* const own = &film.buffers()[half * gpu::FILM_DIGITS];
+    out.sums[half] = sumsOf(digitsOf(device, own, before, pixels), pixels);
   }
   out.begin = film.progress.begin;
   out.end = film.progress.done;
@@ -46,17 +59,14 @@ FilmSums sumsOf(const gpu::Device& device, const Film& film, bool metered, RowRa
 
 /// The squared error of each pixel.
 void appendSquares(const FilmSums& sums, std::vector<double>& squares) {
-  const Image& shape = sums.sum[0];
-  for (int y = 0; y < shape.height; ++y) {
+  for (int y = 0; y < sums.height; ++y) {
     const double nA = double(sums.count(0, y)), nB = double(sums.count(1, y));
     const double share = nA * nB / ((nA + nB) * (nA + nB));
-    for (int x = 0; x < shape.width; ++x) {
+    for (int x = 0; x < sums.width; ++x) {
+      const std::size_t first = (std::size_t(y) * sums.width + x) * 3;
       double square = 0.0;
-      for (int c = 0; c < 3; ++c) {
-        const auto mean = [&](int half, double n) {
-          return (double(sums.sum[half].at(x, y)[c]) - sums.carry[half].at(x, y)[c]) / n;
-        };
-        const double difference = mean(0, nA) - mean(1, nB);
+      for (std::size_t at = first; at < first + 3; ++at) {
+        const double difference = sums.radiance(0, at) / nA - sums.radiance(1, at) / nB;
         square += difference * difference * share;
       }
       squares.push_back(square);
@@ -71,6 +81,25 @@ ErrorTails tailsAmong(std::vector<double> squares) {
                     std::greater<>());
   const double carried = std::accumulate(squares.begin(), squares.begin() + std::ptrdiff_t(worst), 0.0);
   return {total > 0.0 ? carried / total : 0.0, worst, false};
+}
+
+__extension__ using Quanta = __int128;  // unit / FILM_BASE^2
+
+Quanta quantaOf(const FilmSum& sum) {
+  return (Quanta(sum.high) * gpu::FILM_BASE + sum.middle) * gpu::FILM_BASE + sum.low;
+}
+
+double radianceOf(Quanta quanta, double unit) {
+  return double(quanta) * std::ldexp(unit, -2 * gpu::FILM_DIGIT_BITS);
+}
+
+/// `value(row, at)` for all values.
+template <class Value>
+Image imageOf(const FilmSums& sums, Value&& value) {
+  Image image{sums.width, sums.height, 3, std::vector<float>(sums.sums[0].size())};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = float(value(int(i / (std::size_t(sums.width) * 3)), i));
+  return image;
 }
 
 /// FNV-1a (Fowler, Noll, Vo), 64 bits: tells scenes apart, does not resist an attacker.
@@ -90,18 +119,38 @@ std::uint64_t samplesOfHalf(std::uint64_t begin, std::uint64_t end, int half, bo
   return halfRange(begin, end, half, errorMeter).count();
 }
 
+double FilmSums::radiance(int half, std::size_t at) const {
+  return radianceOf(quantaOf(sums[half][at]), unit);
+}
+
+std::array<double, 3> FilmSums::terms(int half, std::size_t at) const {
+  const FilmSum& sum = sums[half][at];
+  const double perBase = 1.0 / gpu::FILM_BASE;
+  return {sum.high * unit, sum.middle * (unit * perBase), sum.low * (unit * perBase * perBase)};
+}
+
+double FilmSums::radiance(std::size_t at) const {
+  return radianceOf(quantaOf(sums[0][at]) + quantaOf(sums[1][at]), unit);
+}
+
+bool FilmSums::full(std::size_t at) const {
+  return std::max(std::abs(sums[0][at].high), std::abs(sums[1][at].high)) >= gpu::FILM_BASE;
+}
+
 Image meanOf(const FilmSums& sums) {
-  Image mean = sums.sum[0];
-  const std::size_t rowValues = std::size_t(mean.width) * std::size_t(mean.channels);
-  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
-    const int row = int(i / rowValues);
-    double total = 0.0;
-    for (int half = 0; half < 2; ++half)
-      total += double(sums.sum[half].pixels[i]) - double(sums.carry[half].pixels[i]);
-    mean.pixels[i] =
-        float(total / double(std::max<std::uint64_t>(sums.count(0, row) + sums.count(1, row), 1)));
-  }
-  return mean;
+  return imageOf(sums, [&](int row, std::size_t at) {
+    return sums.radiance(at) / double(std::max<std::uint64_t>(sums.count(0, row) + sums.count(1, row), 1));
+  });
+}
+
+std::pair<Image, Image> Renderer::halves() {
+  const FilmSums sums = filmSums();
+  const auto mean = [&](int half) {
+    return imageOf(sums, [&](int row, std::size_t at) {
+      return sums.radiance(half, at) / double(std::max<std::uint64_t>(sums.count(half, row), 1));
+    });
+  };
+  return {mean(0), mean(1)};
 }
 
 Image Renderer::radiance() {
@@ -130,6 +179,7 @@ std::uint64_t Renderer::sceneFingerprint() const {
   std::uint64_t hash = hashOf(s.rows.data(), s.rows.size() * sizeof(glm::vec4), 0xcbf29ce484222325ull);
   hash = hashOf(&s.params, sizeof s.params, hash);
   hash = hashOf(&s.features, sizeof s.features, hash);
+  hash = hashOf(&s.filmUnit, sizeof s.filmUnit, hash);
   const auto add = [&hash](const auto& values) {
     hash = hashOf(values.data(), values.size() * sizeof(values[0]), hash);
   };

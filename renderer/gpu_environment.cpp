@@ -86,7 +86,7 @@ std::vector<glm::vec4> environmentTables(const Image& image) {
   for (int y = 0; y < image.height; ++y) total += sums[std::size_t(y)] * bandHeight(y, image.height) * turn;
   std::vector<glm::vec4> rows;
   rows.reserve(1 + sums.size() + std::size_t(image.width) * image.height);
-  rows.emplace_back(total > 0.0 ? float(1.0 / total) : 0.0f, 0.0f, 0.0f, 0.0f);
+  rows.emplace_back(total > 0.0 ? float(1.0 / total) : 0.0f, std::ranges::max(image.pixels), 0.0f, 0.0f);
   Shares down(total, image.height);
   for (int y = 0; y < image.height; ++y) {
     const double height = bandHeight(y, image.height);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "renderer/film_unit.hpp"
 #include "renderer/gpu_environment.hpp"
 #include "renderer/gpu_lights.hpp"
 #include "renderer/gpu_materials.hpp"
@@ -306,6 +307,8 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Scen
   if ((out.features & FEATURE_ALPHA) != 0) out.traversals = manyVeils;
   constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
   if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
+  const float brightestTexel = out.environment ? cache.skyOf(out.environment)->front().y : 1.0f;
+  out.filmUnit = filmUnit(brightestEmission(out, brightestTexel), scene.display);
   return out;
 }
 

@@ -16,7 +16,7 @@
 
 namespace steradian {
 
-/// Equal values give equal radiance: the film starts over exactly when two of them differ.
+/// Equal values but for the film's unit give equal radiance: the film starts over exactly when two differ.
 struct GpuScene {
   std::vector<glm::vec4> rows;
   gpu::TraceParams params{};   // counts, table rows and settings; rows and samples of a dispatch left 0
@@ -29,6 +29,7 @@ struct GpuScene {
   bool meshLights = false;                                     // meshes are among the lights
   std::uint32_t solidLights = 0;                               // and solids: bit i of kind LIGHT_BOX + i
   double traversalSteps = 0.0;  // loop turns of the worst of some rays through the hierarchy over the scene
+  float filmUnit = 1.0f;        // for the sums of a film that begins with this scene (film_unit.hpp)
   double traversals = 1.0;      // per ray; more where it may begin anew behind what is there only in part
 
   bool sameRadiance(const GpuScene& other) const;

@@ -71,7 +71,7 @@ void Renderer::Impl::upload(GpuScene next, Extent extent) {
     showPreview = false;
   }
   film = std::move(freshFilm);
-  if (newFilm) film->clear(sampleBegin);  // it may be shown before it is traced
+  if (newFilm) film->clear(sampleBegin, next.filmUnit);  // it may be shown before it is traced
   if (newRows) rows = std::move(freshRows);
   if (newTables) tables = std::move(freshTables);
   if (newMeshes) meshes = std::move(freshMeshes);
@@ -101,7 +101,7 @@ void Renderer::Impl::restart() {
 }
 
 Film& Renderer::Impl::currentFilm() {
-  if (stale) film->clear(sampleBegin);
+  if (stale) film->clear(sampleBegin, scene.filmUnit);
   stale = false;
   return *film;
 }
@@ -169,7 +169,7 @@ bool Renderer::Impl::tracePreview(double budgetMs) {
     preview = std::make_shared<Film>(*device, coarse);
     preview->bind(sceneBuffers());
   }
-  preview->clear(sampleBegin);
+  preview->clear(sampleBegin, scene.filmUnit);
   GpuScene coarseScene = scene;
   coarseScene.params.pixelScale *= float(film->extent().height) / float(coarse.height);
   const TraceTotals before = tracer.totals;
@@ -307,25 +307,6 @@ std::optional<PickResult> Renderer::pick(int x, int y) {
   if (std::bit_cast<std::uint32_t>(v[0]) == NO_PRIMITIVE) return std::nullopt;
   return PickResult{Id{std::bit_cast<std::uint32_t>(v[1])},
                     impl_->scene.origin + glm::dvec3(v[4], v[5], v[6]), glm::dvec3(v[8], v[9], v[10]), v[2]};
-}
-
-std::pair<Image, Image> Renderer::halves() {
-  if (!impl_->film) return {};
-  const Film& film = impl_->currentFilm();
-  const FilmParams p = film.params(impl_->metered());
-  const auto read = [&](int half) {
-    const auto sum = downloadAs<float>(*impl_->device, film.buffers()[2 * half], 0, film.pixels() * 4);
-    const auto carry = downloadAs<float>(*impl_->device, film.buffers()[2 * half + 1], 0, film.pixels() * 4);
-    Image image{film.extent().width, film.extent().height, 3, std::vector<float>(film.pixels() * 3)};
-    for (std::size_t i = 0; i < film.pixels(); ++i) {
-      const bool ahead = i < p.splitPixel;
-      const double n = half == 0 ? (ahead ? p.aheadA : p.samplesA) : (ahead ? p.aheadB : p.samplesB);
-      for (int c = 0; c < 3; ++c)
-        image.pixels[i * 3 + c] = float((double(sum[i * 4 + c]) - carry[i * 4 + c]) / std::max(n, 1.0));
-    }
-    return image;
-  };
-  return {read(0), read(1)};
 }
 
 Image Renderer::displayed() {

@@ -12,10 +12,9 @@ void ResolvedPicture::prepare(const Device& device, std::shared_ptr<const Film> 
   displaying_.reset();
   if (buffer_.size() < bytes) buffer_ = Buffer(device, BufferKind::deviceLocal, bytes, "resolved film");
   film_ = std::move(film);
-  const auto& b = film_->buffers();
   const Buffer* const shown[] = {nullptr, nullptr, nullptr, nullptr, &buffer_};
   gpu::TexelBuffers read;
-  read.film = {&b[0], &b[1], &b[2], &b[3]};
+  read.film = film_->texels();
   resolving_.emplace(device, read, shown);
   displaying_.emplace(device, gpu::TexelBuffers{}, shown);
 }

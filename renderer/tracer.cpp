@@ -74,6 +74,7 @@ bool Tracer::step(Film& film, const ComputePass& pass, const GpuScene& scene, co
   params.width = std::uint32_t(film.extent().width);
   params.height = std::uint32_t(film.extent().height);
   params.lightSamples = plan.lightSamples;
+  params.perFilmUnit = 1.0f / film.unit();
   params.rowBegin = std::uint32_t(p.rowsDone);
   const int rows = std::min(rowsWithin(film, budgetMs), film.extent().height - p.rowsDone);
   params.rowEnd = params.rowBegin + std::uint32_t(rows);

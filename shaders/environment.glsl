@@ -8,7 +8,7 @@
 
 bool hasEnvironment() { return kEnvironment && (params.flags & TRACE_ENVIRONMENT) != 0u; }
 
-// Tables of the image, behind ENERGY_ROWS (renderer/gpu_environment.cpp): 1 / integral of the luminance, -, -, - |
+// Tables of the image, behind ENERGY_ROWS (renderer/gpu_environment.cpp): 1 / integral of the luminance, brightest channel, -, - |
 // for each row: distance of its upper or lower edge from the nearer pole, its height, -, share of it and all above |
 // for each texel: radiance, share of it and all to its left in the row
 const uint kSkyRows = ENERGY_ROWS + 1u;

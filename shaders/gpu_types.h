@@ -218,6 +218,7 @@ struct TraceParams {
   uint environmentRow;
   float clampRadiance;  // nit, 0 = off
   float pixelScale;     // metres per pixel at distance 1
+  float perFilmUnit;    // 1 / FilmParams::filmUnit
   uint pickX, pickY;    // pick.comp only
 };
 
@@ -228,7 +229,15 @@ struct FilmParams {
   uint aheadA, aheadB;      // samples of each half in those
   uint samplesA, samplesB;  // and in the others
   float relativeFloor;      // 0.01: relMSE = d^2 / (mean^2 + floor)
+  float filmUnit;           // radiance, a power of two (renderer/film_unit.hpp)
 };
+
+// A film holds one sum of radiance per pixel, half-buffer and channel, in digits of base FILM_BASE:
+// filmUnit * (high + middle / FILM_BASE + low / FILM_BASE^2). Buffers of a half: low, closest rays |
+// middle, shadow rays | high, -.
+GPU_CONST int FILM_DIGIT_BITS = 30;
+GPU_CONST int FILM_BASE = 1 << FILM_DIGIT_BITS;  // high ends at +-FILM_BASE: a sum there is a fault
+GPU_CONST uint FILM_DIGITS = 3u;
 
 // Directional albedo of white GGX facets, split by Fresnel: cells of a grid over (roughness, sqrt(cosine)),
 // two rows per cell: the part of F0 at the 4 corners | the part of F90 at the 4 corners.
@@ -258,8 +267,8 @@ GPU_CONST uint METER_ROWS = 2u;
 GPU_CONST uint METER_GROUP = 64u;
 GPU_CONST uint METER_PIXELS = 64u;
 
-// Counters of a film (uint): NaN samples, faults, luminance cut by clamping (64 bits, CLAMPED_UNITS for what
-// the clamp lets pass).
+// Counters of a film (uint): samples dropped (NaN, or beyond the film), faults, luminance cut by clamping (64
+// bits, CLAMPED_UNITS for what the clamp lets pass).
 GPU_CONST uint COUNTER_NAN = 0u;
 GPU_CONST uint COUNTER_FAULTS = 1u;
 GPU_CONST uint COUNTER_CLAMPED_LOW = 2u;

@@ -25,15 +25,15 @@ void main() {
       float nA = float(n.x);
       float nB = float(n.y);
       float share = nA * nB / ((nA + nB) * (nA + nB));
-      vec4 a = fetchFilm(sumA, at);
-      vec4 b = fetchFilm(sumB, at);
-      vec3 difference = a.xyz / nA - b.xyz / nB;
-      vec3 mean = (a.xyz + b.xyz) / (nA + nB);
+      FilmHalf a = fetchHalfA(params, at);
+      FilmHalf b = fetchHalfB(params, at);
+      vec3 difference = a.sum / nA - b.sum / nB;
+      vec3 mean = (a.sum + b.sum) / (nA + nB);
       vec3 d2 = difference * difference * share;
       vec3 relative = d2 / (mean * mean + params.relativeFloor);
-      sum += vec4((d2.x + d2.y + d2.z) / 3.0, (relative.x + relative.y + relative.z) / 3.0, a.w + b.w,
-                  fetchFilm(carryA, at).w + fetchFilm(carryB, at).w);
-      light += luminance(a.xyz + b.xyz);
+      sum += vec4((d2.x + d2.y + d2.z) / 3.0, (relative.x + relative.y + relative.z) / 3.0,
+                  a.closestRays + b.closestRays, a.shadowRays + b.shadowRays);
+      light += luminance(a.sum + b.sum);
     }
   }
   partials[gl_GlobalInvocationID.x * METER_ROWS] = sum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic that survives hard cases: double-float (Dekker), compensated sums, frames. Binding-free.
+// Arithmetic that survives hard cases: double-float (Dekker), frames. Binding-free.
 #ifndef NUMERICS_GLSL
 #define NUMERICS_GLSL
 
@@ -47,27 +47,6 @@ DoubleFloat squareDouble(DoubleFloat a) {
   precise float lo = p.lo + 2.0 * (a.hi * a.lo);
   return DoubleFloat(p.hi, lo);
 }
-
-// One step of a sum kept in two floats: sum - carry tracks the exact total to about 2^-48 of it (TwoSum, Knuth 1969,
-// then Dekker 1971). Kahan's shorter step rounds each value once, which parts of a picture could not add up exactly.
-struct Compensated {
-  vec3 sum;
-  vec3 carry;
-};
-
-Compensated compensatedAdd(Compensated total, vec3 value) {
-  precise vec3 s = total.sum + value;
-  precise vec3 taken = s - total.sum;
-  precise vec3 lost = (total.sum - (s - taken)) + (value - taken);
-  precise vec3 low = lost - total.carry;
-  precise vec3 sum = s + low;
-  precise vec3 carry = (sum - s) - low;
-  return Compensated(sum, carry);
-}
-
-// By bits: isnan() and isinf() are not guaranteed without SignedZeroInfNanPreserve.
-bool isFiniteBits(float x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u; }
-bool isFiniteVec(vec3 v) { return isFiniteBits(v.x) && isFiniteBits(v.y) && isFiniteBits(v.z); }
 
 // Orthonormal basis around n without a singular direction (Duff et al., JCGT 6(1), 2017).
 struct Frame {

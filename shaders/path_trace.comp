@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: MIT
 // Adds samples [sampleBegin, sampleEnd) of one half-buffer to every pixel of rows [rowBegin, rowEnd): paths with
 // next-event estimation and multiple importance sampling. One loop level: each turn traces one path segment, and a path that ended makes room for the
-// next sample at once. Additions follow the sample index, so any split into dispatches gives the same bytes.
+// next sample at once. Samples add up exactly, so any split into dispatches gives the same bytes.
 #extension GL_GOOGLE_include_directive : require
+#include "film_sum.glsl"
 #include "path.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// The half-buffer of this dispatch (see film.glsl), and what must stay 0.
-layout(set = 0, binding = 1) buffer Sum { vec4 filmSum[]; };
-layout(set = 0, binding = 2) buffer Carry { vec4 filmCarry[]; };
+// The half-buffer of this dispatch (digits as gpu_types.h says), and what must stay 0. Each invocation reads its pixel as
+// texels before it writes it: CPU drivers read those several times as fast.
+layout(set = 0, binding = 11) uniform isamplerBuffer lowBefore;
+layout(set = 0, binding = 12) uniform isamplerBuffer middleBefore;
+layout(set = 0, binding = 13) uniform isamplerBuffer highBefore;
+layout(set = 0, binding = 1) buffer Low { ivec4 filmLow[]; };
+layout(set = 0, binding = 2) buffer Middle { ivec4 filmMiddle[]; };
+layout(set = 0, binding = 3) buffer High { ivec4 filmHigh[]; };
 layout(set = 0, binding = 5) buffer Counters { uint counters[COUNTERS]; };
 
 // Pixel order interleaved by rows of groups: some drivers give each thread a fixed half of the groups.
@@ -41,9 +47,9 @@ void main() {
   CameraRows camera = fetchCamera();
   loadBakedPrimitives();
   loadBakedLights();
-  vec4 sum = filmSum[at];
-  vec4 carry = filmCarry[at];
-  Compensated total = Compensated(sum.xyz, carry.xyz);
+  ivec4 low = texelFetch(lowBefore, int(at));
+  ivec4 middle = texelFetch(middleBefore, int(at));
+  FilmSum total = FilmSum(low.xyz, middle.xyz, texelFetch(highBefore, int(at)).xyz);
   Tally tally = Tally(0u, 0u, 0u, 0u, 0.0);
 
   uint seed = pixelSeedOf(pixel.x, pixel.y, params.flags & TRACE_HALF_B, params.seed);
@@ -94,17 +100,19 @@ void main() {
 
     // Commit a finished sample and start the next one.
     if (ended) {
-      bool finite = isFiniteVec(path.radiance);
-      tally.nan += finite ? 0u : 1u;
-      total = compensatedAdd(total, finite ? path.radiance : vec3(0.0));
+      vec3 units = path.radiance * params.perFilmUnit;
+      bool fits = fitsFilm(units);
+      tally.nan += fits ? 0u : 1u;
+      total = addToFilm(total, fits ? units : vec3(0.0));
       path = cameraPath(camera, pixel, pair, seed, index);
     }
   }
 
-  filmSum[at] = vec4(total.sum, sum.w + float(tally.closestRays));
-  filmCarry[at] = vec4(total.carry, carry.w + float(tally.shadowRays));
-  // A sample that the loop budget cut off is a fault, never a silently darker pixel.
-  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u) + ((kMeshes || kShapeHierarchy) && traversalCut ? 1u : 0u);
+  filmLow[at] = ivec4(total.low, low.w + int(tally.closestRays));
+  filmMiddle[at] = ivec4(total.middle, middle.w + int(tally.shadowRays));
+  filmHigh[at].xyz = total.high;
+  // A sample that the loop budget cut off is a fault, never a silently darker pixel; so is a sum that no longer grows.
+  uint faults = (params.sampleEnd - min(path.index, params.sampleEnd)) + (tally.missing != 0u ? 1u : 0u) + (isFull(total) ? 1u : 0u) + ((kMeshes || kShapeHierarchy) && traversalCut ? 1u : 0u);
   if (tally.nan > 0u) atomicAdd(counters[COUNTER_NAN], tally.nan);
   if (faults > 0u) atomicAdd(counters[COUNTER_FAULTS], faults);
   if (kClamp) countClamped(tally.clamped);

@@ -14,6 +14,6 @@ void main() {
   if (at >= params.width * params.height) return;
   uvec2 n = halfSamples(params, at);
   float samples = float(n.x + n.y);
-  vec3 mean = (fetchFilm(sumA, at).xyz + fetchFilm(sumB, at).xyz) / max(samples, 1.0);
+  vec3 mean = (fetchHalfA(params, at).sum + fetchHalfB(params, at).sum) / max(samples, 1.0);
   resolved[at] = vec4(mean, samples);
 }

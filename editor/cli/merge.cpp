@@ -75,9 +75,9 @@ void addMerge(CLI::App& app, Command& chosen) {
   command->add_option("--plugin-path", options->pluginPath, "Further folder with plugins; repeatable")
       ->allow_extra_args(false);
   command->footer(
-      "The sums are exact: any order and any grouping of the parts gives the same bytes, and the picture is "
-      "that\n"
-      "of the same --samples rendered at once, but for the last bit of one value in a million.\n"
+      "The sums are exact: any order and any grouping of the parts gives the same bytes, those "
+      "of\n"
+      "the same --samples rendered at once.\n"
       "Layers (--aov) are kept from the part with the lowest samples that has them.\n"
       "Parts of one scene, size, seed and version whose samples follow each other:\n"
       "  steradian render PROJECT --samples 0:64 -o a.exr     today, or on one machine\n"

@@ -106,17 +106,15 @@ Part partOf(const FilmSums& sums, PartOrigin origin) {
   origin.begin = sums.begin;
   origin.end = sums.end;
   origin.errorMeter = sums.errorMeter;
-  Part part{std::move(origin), sums.sum[0].width, sums.sum[0].height, {}, {}};
-  for (int half = 0; half < (sums.errorMeter ? 2 : 1); ++half) {
-    const auto& sum = sums.sum[half].pixels;
-    const auto& carry = sums.carry[half].pixels;
-    if (!finite(sums.sum[half]) || !finite(sums.carry[half]))
-      throw Error(ExitCode::failed, "the part cannot be saved: a sum of its samples is not finite");
+  Part part{std::move(origin), sums.width, sums.height, {}, {}};
+  const std::size_t values = sums.sums[0].size();
+  for (std::size_t i = 0; i < values; ++i)
+    if (sums.full(i))
+      throw Error(ExitCode::failed, "the part cannot be saved: a sum of its samples is too large for a film");
+  for (int half = 0; half < (sums.errorMeter ? 2 : 1); ++half)
     part.terms[half] = splitTerms(part.width, part.height, [&](ExactSum& exact, std::size_t i) {
-      exact.add(sum[i]);
-      exact.add(-double(carry[i]));
+      for (const double term : sums.terms(half, i)) exact.add(term);
     });
-  }
   return part;
 }
 

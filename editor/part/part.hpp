@@ -37,18 +37,17 @@ struct Part {
   bool operator==(const Part&) const = default;
 };
 
-/// A render's sums as a part. Throws Error(failed) when a row holds more samples than another or a sum is
-/// not finite.
+/// A render's sums as a part. Throws Error(failed) when a row holds more samples than another or a sum went
+/// beyond what a film holds.
 Part partOf(const FilmSums& sums, PartOrigin origin);
 
 /// Whether a part may lack samples that were not a number and were left out of its sums.
 enum class DroppedSamples { refuse, accept };
 
 /// The sum of all parts, the same for any order and any grouping; of each layer the one from the part with
-/// the lowest samples. Rendering the same samples at once gives the same mean, but for about one value in a
-/// million that differs in its last bit: a film keeps its sums to 2^-48, here nothing is rounded. Throws
-/// Error(badInput), naming the parts by `names`, when they are of other scenes, overlap, leave a gap, hold a
-/// sum that is not finite, or lack samples.
+/// the lowest samples. Rendering the same samples at once gives the same part: films, too, add without
+/// rounding. Throws Error(badInput), naming the parts by `names`, when they are of other scenes, overlap,
+/// leave a gap, hold a sum that is not finite, or lack samples.
 Part merged(std::vector<Part> parts, std::vector<std::string> names,
             DroppedSamples dropped = DroppedSamples::refuse);
 

@@ -22,10 +22,8 @@ class CppHost : public KernelHost {
 
   void clear() override {
     const std::size_t pixels = std::size_t(input_.film.width) * input_.film.height;
-    for (const int half : {0, 1}) {
-      film_.sum[half].assign(pixels, glm::vec4(0.0f));
-      film_.carry[half].assign(pixels, glm::vec4(0.0f));
-    }
+    for (auto& half : film_.digits)
+      for (auto& digits : half) digits.assign(pixels, glm::ivec4(0));
     film_.counters.fill(0u);
   }
 
@@ -54,8 +52,9 @@ class CppHost : public KernelHost {
       invocation.tableRows = input_.traced.tables;
       invocation.meshRows = input_.traced.meshes;
       invocation.texels = input_.traced.texels;
-      invocation.filmSum = film_.sum[half];
-      invocation.filmCarry = film_.carry[half];
+      invocation.lowBefore = invocation.filmLow = film_.digits[half][0];
+      invocation.middleBefore = invocation.filmMiddle = film_.digits[half][1];
+      invocation.highBefore = invocation.filmHigh = film_.digits[half][2];
       invocation.counters = film_.counters;
       invocation.gl_NumWorkGroups = groups;
       invocation.gl_WorkGroupID = {group % groups.x, group / groups.x, 0};

@@ -21,7 +21,8 @@ class Invocation : public GlslBuiltins<float> {
 
   static constexpr glm::uvec3 gl_WorkGroupSize{8, 8, 1};  // as the shader's layout says
   glm::uvec3 gl_NumWorkGroups{0}, gl_WorkGroupID{0}, gl_LocalInvocationID{0}, gl_GlobalInvocationID{0};
-  std::span<vec4> filmSum, filmCarry;
+  std::span<ivec4> filmLow, filmMiddle, filmHigh;
+  isamplerBuffer lowBefore, middleBefore, highBefore;  // the same
   std::span<uint> counters;
 
  private:

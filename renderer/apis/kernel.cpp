@@ -37,18 +37,19 @@ void addSamples(KernelHost& host, gpu::TraceParams params, std::uint64_t begin, 
   }
 }
 
-KernelRun summed(const KernelSums& sums, Extent film, std::uint64_t samples) {
+KernelRun summed(const KernelSums& sums, Extent film, double unit, std::uint64_t samples) {
+  constexpr double perBase = 1.0 / gpu::FILM_BASE;
   KernelRun run;
   run.nan = sums.counters[gpu::COUNTER_NAN];
   run.faults = sums.counters[gpu::COUNTER_FAULTS];
   run.mean = {film.width, film.height, 3, std::vector<float>(std::size_t(film.width) * film.height * 3)};
   for (std::size_t i = 0; i < std::size_t(film.width) * film.height; ++i) {
-    glm::dvec4 total(0.0);
-    for (const int half : {0, 1}) {
-      const glm::dvec4 sum(sums.sum[half][i]), carry(sums.carry[half][i]);
-      total += glm::dvec4(glm::dvec3(sum - carry), sum.w + carry.w);
+    glm::dvec3 total(0.0);
+    for (const auto& [low, middle, high] : sums.digits) {
+      total +=
+          (glm::dvec3(high[i]) + (glm::dvec3(middle[i]) + glm::dvec3(low[i]) * perBase) * perBase) * unit;
+      run.rays += std::uint32_t(low[i].w) + std::uint64_t(std::uint32_t(middle[i].w));
     }
-    run.rays += std::uint64_t(total.w);
     for (int c = 0; c < 3; ++c) run.mean.pixels[i * 3 + c] = float(total[c] / double(samples));
   }
   return run;
@@ -70,15 +71,17 @@ KernelInput kernelInput(const Scene& scene, const CameraView& view, Extent film,
 KernelRun runKernel(KernelHost& host, const KernelInput& input, std::uint64_t samples) {
   const GpuScene& scene = input.traced.scene;
   const LoopPlan plan = planLoops(scene.params, host.loopBudget(), scene.traversalSteps, scene.traversals);
+  gpu::TraceParams params = scene.params;
+  params.perFilmUnit = 1.0f / scene.filmUnit;
   host.clear();
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t done = 0; done < samples;) {
     const std::uint64_t count = nextCount(done, samples, plan, secondsSince(start));
-    addSamples(host, scene.params, done, done + count);
+    addSamples(host, params, done, done + count);
     done += count;
   }
   const double seconds = secondsSince(start);
-  KernelRun run = summed(host.read(), input.film, samples);
+  KernelRun run = summed(host.read(), input.film, scene.filmUnit, samples);
   run.seconds = seconds;
   return run;
 }

@@ -23,9 +23,10 @@ struct KernelInput {
 /// what planLoops() throws.
 KernelInput kernelInput(const Scene& scene, const CameraView& view, Extent film, const gpu::Device& device);
 
-/// A film as film.glsl describes it, read back: per half-buffer and pixel. The spare components count rays.
+/// A film's digits as gpu_types.h describes them, read back: per half-buffer low, middle and high of each
+/// pixel.
 struct KernelSums {
-  std::array<std::vector<glm::vec4>, 2> sum, carry;
+  std::array<std::array<std::vector<glm::ivec4>, gpu::FILM_DIGITS>, 2> digits;
   std::array<std::uint32_t, gpu::COUNTERS> counters{};
 };
 

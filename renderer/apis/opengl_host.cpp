@@ -87,9 +87,9 @@ class OpenGlHost : public KernelHost {
   KernelSums read() override {
     KernelSums sums;
     for (const int half : {0, 1}) {
-      sums.sum[half].resize(pixels_);
-      sums.carry[half].resize(pixels_);
-      module_.read(tracer_, half, &sums.sum[half][0].x, &sums.carry[half][0].x, sums.counters.data());
+      for (auto& digits : sums.digits[half]) digits.resize(pixels_);
+      auto& [low, middle, high] = sums.digits[half];
+      module_.read(tracer_, half, &low[0].x, &middle[0].x, &high[0].x, sums.counters.data());
     }
     return sums;
   }

@@ -21,7 +21,8 @@ using steradian::apis::EglContext;
 
 constexpr std::size_t paramsBytes = 128;  // of TraceParams
 constexpr std::size_t counterBytes = 16;  // COUNTERS
-constexpr GLuint sumBinding = 1, carryBinding = 2, countersBinding = 5;
+constexpr GLuint digitsBinding = 1, texelsBinding = 11, digits = 3,
+                 countersBinding = 5;  // of a half: low, middle, high
 
 GLuint buffer(const void* data, std::size_t size) {
   GLuint name = 0;
@@ -55,7 +56,11 @@ struct OpenGlTracer {
     bindTexels(8, GL_RGBA32F, 16, scene.tables);
     bindTexels(9, GL_RGBA32F, 16, scene.meshes);
     bindTexels(10, GL_R32UI, 4, scene.texels);
-    for (GLuint& film : films) film = buffer(nullptr, filmBytes);
+    glCreateTextures(GL_TEXTURE_BUFFER, GLsizei(films.size()), filmTexels.data());
+    for (std::size_t i = 0; i < films.size(); ++i) {
+      films[i] = buffer(nullptr, filmBytes);
+      glTextureBuffer(filmTexels[i], GL_RGBA32I, films[i]);
+    }
     counters = buffer(nullptr, counterBytes);
     params = buffer(nullptr, paramsBytes);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, countersBinding, counters);
@@ -78,8 +83,8 @@ struct OpenGlTracer {
 
   GLenum dispatch(const void* data, std::size_t bytes, GLuint groupsX, GLuint groupsY, int half) const {
     glNamedBufferSubData(params, 0, GLsizeiptr(bytes), data);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, sumBinding, films[2 * half]);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, carryBinding, films[2 * half + 1]);
+    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, digitsBinding, digits, &films[digits * GLuint(half)]);
+    glBindTextures(texelsBinding, digits, &filmTexels[digits * GLuint(half)]);
     glDispatchCompute(groupsX, groupsY, 1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glFinish();
@@ -88,7 +93,7 @@ struct OpenGlTracer {
 
   EglContext context;
   std::size_t filmBytes;
-  std::array<GLuint, 4> films{};  // sumA, carryA, sumB, carryB
+  std::array<GLuint, 2 * digits> films{}, filmTexels{};  // of half A, then B
   GLuint counters = 0, params = 0;
   double compileSeconds = 0.0;
 };
@@ -125,10 +130,11 @@ EXPORTED unsigned steradianOpenGlDispatch(OpenGlTracer* tracer, const void* para
   return tracer->dispatch(params, bytes, groupsX, groupsY, half);
 }
 
-EXPORTED void steradianOpenGlRead(OpenGlTracer* tracer, int half, float* sum, float* carry,
-                                  std::uint32_t* counters) {
-  glGetNamedBufferSubData(tracer->films[2 * half], 0, GLsizeiptr(tracer->filmBytes), sum);
-  glGetNamedBufferSubData(tracer->films[2 * half + 1], 0, GLsizeiptr(tracer->filmBytes), carry);
+EXPORTED void steradianOpenGlRead(OpenGlTracer* tracer, int half, std::int32_t* low, std::int32_t* middle,
+                                  std::int32_t* high, std::uint32_t* counters) {
+  const GLuint* film = &tracer->films[digits * GLuint(half)];
+  for (std::int32_t* read : {low, middle, high})
+    glGetNamedBufferSubData(*film++, 0, GLsizeiptr(tracer->filmBytes), read);
   glGetNamedBufferSubData(tracer->counters, 0, counterBytes, counters);
 }
 

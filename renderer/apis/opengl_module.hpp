@@ -34,7 +34,8 @@ using OpenGlClear = void(OpenGlTracer*);
 /// One dispatch into half 0 or 1, awaited. `params`: TraceParams. 0: OK; else OpenGL's error.
 using OpenGlDispatch = unsigned(OpenGlTracer*, const void* params, std::size_t bytes, std::uint32_t groupsX,
                                 std::uint32_t groupsY, int half);
-/// 4 floats per pixel each; the counters of both halves.
-using OpenGlRead = void(OpenGlTracer*, int half, float* sum, float* carry, std::uint32_t* counters);
+/// 4 integers per pixel each; the counters of both halves.
+using OpenGlRead = void(OpenGlTracer*, int half, std::int32_t* low, std::int32_t* middle, std::int32_t* high,
+                        std::uint32_t* counters);
 using OpenGlClose = void(OpenGlTracer*);
 }

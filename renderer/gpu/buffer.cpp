@@ -15,16 +15,23 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 using Memory = vk::MemoryPropertyFlagBits;
 
-// 0 = no texel view.
-std::size_t texelBytes(BufferKind kind) {
+// Undefined = no texel view.
+vk::Format texelFormat(BufferKind kind) {
   switch (kind) {
     case BufferKind::film:
+      return vk::Format::eR32G32B32A32Sint;
     case BufferKind::upload:
     case BufferKind::texelRows:
-      return 16;  // RGBA32F
+      return vk::Format::eR32G32B32A32Sfloat;
+    case BufferKind::texelWords:
+      return vk::Format::eR32Uint;
     default:
-      return kind == BufferKind::texelWords ? 4 : 0;  // R32UI
+      return vk::Format::eUndefined;
   }
+}
+std::size_t texelBytes(BufferKind kind) {
+  if (texelFormat(kind) == vk::Format::eUndefined) return 0;
+  return kind == BufferKind::texelWords ? 4 : 16;
 }
 bool holdsStorage(BufferKind kind) {
   return kind == BufferKind::deviceLocal || kind == BufferKind::film || kind == BufferKind::upload;
@@ -122,9 +129,7 @@ void Buffer::allocateFor(BufferKind kind) {
 }
 
 void Buffer::createView(BufferKind kind) {
-  const vk::Format format =
-      kind == BufferKind::texelWords ? vk::Format::eR32Uint : vk::Format::eR32G32B32A32Sfloat;
-  const vk::BufferViewCreateInfo info({}, *buffer_, format, 0, VK_WHOLE_SIZE);
+  const vk::BufferViewCreateInfo info({}, *buffer_, texelFormat(kind), 0, VK_WHOLE_SIZE);
   checked(*device_, "creating a texel view", [&] { view_ = vk::raii::BufferView(device_->handle(), info); });
 }
 

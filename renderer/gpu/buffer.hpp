@@ -14,7 +14,7 @@ namespace steradian::gpu {
 
 enum class BufferKind {
   deviceLocal,  // storage: written and read by shaders, read by readBack()
-  film,         // the same, and uniform RGBA32F texels, which CPU drivers read several times as fast
+  film,         // the same, and uniform RGBA32I texels, which CPU drivers read several times as fast
   upload,       // storage + uniform texels: scene rows; written by write(), read by shaders. Lies on the
                 // device; write() goes through a staging buffer when the host cannot reach that memory
   texelRows,    // as upload, but uniform RGBA32F texels only: may be larger than one storage binding
@@ -33,8 +33,8 @@ class Buffer {
   explicit operator bool() const { return bytes_ != 0; }
   std::size_t size() const { return bytes_; }
   vk::Buffer handle() const { return *buffer_; }
-  /// The buffer as RGBA32F texels (kinds film, upload and texelRows, whole vec4 rows) or R32UI texels
-  /// (texelWords); null otherwise.
+  /// The buffer as RGBA32F texels (kinds upload and texelRows, whole vec4 rows), RGBA32I (film) or R32UI
+  /// texels (texelWords); null otherwise.
   vk::BufferView texels() const { return *view_; }
 
   /// All kinds but readback. Synchronous; wait first for submissions that use this range. Where the

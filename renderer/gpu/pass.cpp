@@ -97,7 +97,8 @@ PassLayout::PassLayout(const Device& device)
     : set_(makeSetLayout(device)),
       pipeline_(makePipelineLayout(device, *set_)),
       dummy_(device, BufferKind::upload, 256, "dummy"),
-      dummyWords_(device, BufferKind::texelWords, 16, "dummy") {}
+      dummyWords_(device, BufferKind::texelWords, 16, "dummy"),
+      dummyFilm_(device, BufferKind::film, 16, "dummy") {}
 
 Bindings::Bindings(const Device& device, const TexelBuffers& scene, std::span<const Buffer* const> storage) {
   assert(storage.size() <= storageBindings);
@@ -124,7 +125,7 @@ Bindings::Bindings(const Device& device, const TexelBuffers& scene, std::span<co
   writeTexels(device, meshesBinding, scene.meshes, layout.dummy());
   writeTexels(device, texelsBinding, scene.texels, layout.dummyWords());
   for (std::uint32_t i = 0; i < filmBuffers; ++i)
-    writeTexels(device, filmBinding + i, scene.film[i], layout.dummy());
+    writeTexels(device, filmBinding + i, scene.film[i], layout.dummyFilm());
 }
 
 void Bindings::writeTexels(const Device& device, std::uint32_t binding, const Buffer* buffer,

@@ -19,15 +19,15 @@ inline constexpr std::uint32_t tablesBinding = 8;
 inline constexpr std::uint32_t meshesBinding = 9;
 inline constexpr std::uint32_t texelsBinding = 10;
 inline constexpr std::uint32_t filmBinding = 11;
-inline constexpr std::uint32_t filmBuffers = 4;
+inline constexpr std::uint32_t filmBuffers = 6;
 inline constexpr std::uint32_t pushConstantBytes = 128;
 
 /// What a GraphicsPass draws into, as Swapchain hands it out.
 using TargetPass = vk::RenderPass;
 
-/// Owned by Device, the same for every pass: set 0 = { 0, 8, 9, 11..14: samplerBuffer, 10:
-/// usamplerBuffer, 1..7: storage buffers } for compute and fragment shaders, 128 bytes of push constants for
-/// compute, vertex and fragment shaders.
+/// Owned by Device, the same for every pass: set 0 = { 0, 8, 9: samplerBuffer, 10:
+/// usamplerBuffer, 11..16: isamplerBuffer, 1..7: storage buffers } for compute and fragment shaders, 128
+/// bytes of push constants for compute, vertex and fragment shaders.
 class PassLayout {
  public:
   explicit PassLayout(const Device& device);
@@ -35,11 +35,12 @@ class PassLayout {
   vk::PipelineLayout pipeline() const { return *pipeline_; }
   const Buffer& dummy() const { return dummy_; }  // stands in for unused bindings
   const Buffer& dummyWords() const { return dummyWords_; }
+  const Buffer& dummyFilm() const { return dummyFilm_; }
 
  private:
   vk::raii::DescriptorSetLayout set_;
   vk::raii::PipelineLayout pipeline_;
-  Buffer dummy_, dummyWords_;
+  Buffer dummy_, dummyWords_, dummyFilm_;
 };
 
 /// The texel buffers of a scene and of a film, by binding; null or empty = not used.

@@ -93,8 +93,11 @@ class GlslBuiltins {
   using mat3 = glm::mat<3, 3, Real>;
   using uvec2 = glm::uvec2;
   using uvec3 = glm::uvec3;
+  using ivec3 = glm::ivec3;
+  using ivec4 = glm::ivec4;
   using uint = std::uint32_t;
   using samplerBuffer = std::span<const glm::vec4>;
+  using isamplerBuffer = std::span<const glm::ivec4>;
   using usamplerBuffer = std::span<const std::uint32_t>;
 
   /// Push constants, their numbers in this precision.
@@ -124,6 +127,7 @@ class GlslBuiltins {
   static vec4 texelFetch(samplerBuffer rows, int at) {
     return at >= 0 && std::size_t(at) < rows.size() ? vec4(rows[std::size_t(at)]) : vec4(0);
   }
+  static glm::ivec4 texelFetch(isamplerBuffer rows, int at) { return rows[std::size_t(at)]; }
   static glm::uvec4 texelFetch(usamplerBuffer words, int at) {
     return {at >= 0 && std::size_t(at) < words.size() ? words[std::size_t(at)] : 0u, 0u, 0u, 1u};
   }

@@ -37,7 +37,8 @@ TEST_F(Alpha, layers_behind_more_veils_than_a_driver_follows_are_counted_as_faul
   for (const int layers : {12, 1000}) {
     Scene scene = plainScene(0);
     const Id black = add(scene, veil(0.0005f, lambert(glm::vec3(0.0f))));
-    for (int i = 0; i < layers; ++i) add(scene, at({0, 0, -0.004 * i}), shape(picture()), black);
+    for (int i = 0; i < layers; ++i)
+      add(scene, at({0, 0, -0.004 * i}, {1, 0, 0}, 0.0, dvec3(2.0)), shape(picture()), black);
     add(scene, at({0, 0, -6}, {1, 0, 0}, 0.0, dvec3(3.0)), shape(picture()), lambert(glm::vec3(1.0f)));
     renderer().setScene(scene, lookAt({0, 0, 10}, {0, 0, 0}, 2.0 * std::atan(0.09)), {16, 16});
     const AovLayer albedo = renderer().aovs({{Aov::albedo}, 32}).at(0);

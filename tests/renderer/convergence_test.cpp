@@ -28,14 +28,14 @@ ErrorEstimate estimate(double slope, int doublings, double share) {
 }
 
 /// Means of A and B differ by `difference` in every value, by `worst` in pixel 0.
-FilmSums sumsDiffering(int pixels, float difference, float worst) {
-  FilmSums sums;
+FilmSums sumsDiffering(int pixels, int difference, int worst) {
+  FilmSums sums{pixels, 1};
   sums.end = sums.endAhead = 2;
   sums.errorMeter = true;
   for (const int half : {0, 1}) {
-    sums.sum[half] = sums.carry[half] = {pixels, 1, 3, std::vector<float>(std::size_t(pixels) * 3)};
-    for (std::size_t i = 0; i < sums.sum[half].pixels.size(); ++i)
-      sums.sum[half].pixels[i] = half * (i < 3 ? worst : difference);
+    sums.sums[half].resize(std::size_t(pixels) * 3);
+    for (std::size_t i = 0; i < sums.sums[half].size(); ++i)
+      sums.sums[half][i].high = half * (i < 3 ? worst : difference);
   }
   return sums;
 }
@@ -84,26 +84,26 @@ TEST(SamplesNeeded, follow_the_slope_and_believe_a_slow_one_only_after_three_dou
 }
 
 TEST(Tails, of_even_errors_carry_what_they_count) {
-  const ErrorTails tails = tailsOf(sumsDiffering(10000, 1.0f, 1.0f));
+  const ErrorTails tails = tailsOf(sumsDiffering(10000, 1, 1));
   EXPECT_EQ(tails.pixels, 10u);
   EXPECT_NEAR(tails.share, 0.001, 1e-12);
 }
 
 TEST(Tails, of_one_firefly_carry_nearly_all) {
-  const ErrorTails tails = tailsOf(sumsDiffering(1000, 1.0f, 100.0f));
+  const ErrorTails tails = tailsOf(sumsDiffering(1000, 1, 100));
   EXPECT_EQ(tails.pixels, 1u);
   EXPECT_NEAR(tails.share, 1e4 / (1e4 + 999.0), 1e-9);
 }
 
 TEST(Tails, are_not_measured_without_two_halves_and_are_nothing_without_error) {
-  FilmSums sums = sumsDiffering(10, 0.0f, 0.0f);
+  FilmSums sums = sumsDiffering(10, 0, 0);
   EXPECT_EQ(tailsOf(sums).share, 0.0);
   sums.errorMeter = false;
   EXPECT_EQ(tailsOf(sums).pixels, 0u);
 }
 
 TEST(Tails, weigh_the_rows_of_a_pass_under_way_by_their_own_samples) {
-  FilmSums sums = sumsDiffering(10, 1.0f, 1.0f);
+  FilmSums sums = sumsDiffering(10, 1, 1);
   sums.end = 2;
   sums.endAhead = 4;
   sums.rowsAhead = 1;

@@ -129,12 +129,15 @@ TEST_F(DeterminismTest, HalvesAverageToThePicture) {
 TEST_F(DeterminismTest, OnlyAChangeOfRadianceStartsOver) {
   Scene scene = room(2);
   render(scene, roomView(), {16, 16}, 8);
+  const double unit = renderer().filmSums().unit;
   scene.objects[0].name = "renamed";
   scene.display.exposure = 2.0f;
   renderer().setScene(scene, roomView(), {16, 16});
   EXPECT_EQ(renderer().stats().samples, 8u);
+  EXPECT_EQ(renderer().filmSums().unit, unit) << "what is there is counted in the unit that it began with";
   scene.materials[0].albedo.x = 0.1f;
   renderer().setScene(scene, roomView(), {16, 16});
+  EXPECT_EQ(renderer().filmSums().unit, unit / 4);
   EXPECT_EQ(renderer().stats().samples, 0u);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What `precise` promises is in the shipped SPIR-V: a compiler that fuses these products and sums breaks the
-// proofs of the triangle test and of the compensated sums, and lavapipe, which never fuses, would not show
+// proofs of the triangle test and of the film's sums, and lavapipe, which never fuses, would not show
 // it.
 #include <gtest/gtest.h>
 
@@ -69,9 +69,9 @@ TEST(NoContraction, row09_the_triangle_test_is_exact_in_every_shader_that_traces
   }
 }
 
-TEST(NoContraction, row09_compensated_sums_and_double_floats_are_exact_in_the_tracer) {
+TEST(NoContraction, row09_film_sums_and_double_floats_are_exact_in_the_tracer) {
   Module module(pathTraceSpirv());
-  for (const char* function : {"twoSum", "twoProduct", "addDouble", "squareDouble", "compensatedAdd"})
+  for (const char* function : {"twoSum", "twoProduct", "addDouble", "squareDouble", "addToFilm"})
     module.expectExact(function);
   module.expectNothingLoose();
 }

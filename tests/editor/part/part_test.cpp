@@ -14,21 +14,17 @@ namespace {
 
 constexpr int kWidth = 3, kHeight = 2;
 
-/// Sums of the samples [begin, end) as a film would hold them; with a carry that matters.
+/// Sums of the samples [begin, end) as a film would hold them, with all of its digits.
 FilmSums sumsOf(std::uint64_t begin, std::uint64_t end, bool errorMeter = true) {
-  FilmSums sums;
+  FilmSums sums{kWidth, kHeight, {}, 4096.0};
   sums.begin = begin;
   sums.end = sums.endAhead = end;
   sums.errorMeter = errorMeter;
   std::mt19937 random(unsigned(begin * 1000 + end));
-  std::uniform_real_distribution<float> radiance(0.1f, 40.0f);
+  std::uniform_int_distribution<int> digit(0, (1 << 30) - 1);
   for (const int half : {0, 1}) {
-    sums.sum[half] = sums.carry[half] = {kWidth, kHeight, 3, std::vector<float>(kWidth * kHeight * 3)};
-    const double n = double(sums.count(half, 0));
-    for (std::size_t i = 0; i < sums.sum[half].pixels.size(); ++i) {
-      sums.sum[half].pixels[i] = float(radiance(random) * n);
-      sums.carry[half].pixels[i] = sums.sum[half].pixels[i] * 1.7e-8f;
-    }
+    sums.sums[half].resize(kWidth * kHeight * 3);
+    for (FilmSum& sum : sums.sums[half]) sum = {digit(random), digit(random), digit(random) % 100 - 2};
   }
   return sums;
 }
@@ -93,7 +89,8 @@ TEST(Part, is_the_mean_over_all_samples) {
   for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
     long double sum = 0;
     for (const FilmSums* s : {&a, &b})
-      for (const int half : {0, 1}) sum += (long double)(s->sum[half].pixels[i]) - s->carry[half].pixels[i];
+      for (const int half : {0, 1})
+        for (const double term : s->terms(half, i)) sum += term;
     EXPECT_EQ(mean.pixels[i], float(sum / 12.0L)) << i;
   }
 }
@@ -118,10 +115,9 @@ TEST(Part, survives_its_file) {
 
 TEST(Part, knows_its_error_from_the_halves) {
   FilmSums sums = sumsOf(0, 4);
-  for (const int half : {0, 1}) {
-    std::fill(sums.sum[half].pixels.begin(), sums.sum[half].pixels.end(), half == 0 ? 2.0f : 6.0f);
-    std::fill(sums.carry[half].pixels.begin(), sums.carry[half].pixels.end(), 0.0f);
-  }
+  sums.unit = 2.0;
+  for (const int half : {0, 1})
+    std::fill(sums.sums[half].begin(), sums.sums[half].end(), FilmSum{0, 0, half == 0 ? 1 : 3});
   const ErrorEstimate error = errorOf(partOf(sums, origin()));  // means 1 and 3: (3 - 1)^2 / 4
   EXPECT_TRUE(error.valid);
   EXPECT_DOUBLE_EQ(error.rmse, 1.0);
@@ -153,14 +149,16 @@ TEST(Part, refuses_what_is_of_another_picture) {
   EXPECT_TRUE(contains(refusal({part(0, 8), partOf(sumsOf(8, 16, false), origin())}), "error meter"));
 }
 
-TEST(Part, refuses_what_is_not_finite_or_unfinished) {
+TEST(Part, refuses_what_is_not_finite_full_or_unfinished) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Part broken = part(0, 8);
     broken.terms[1][0].pixels[4] = bad;
     EXPECT_TRUE(contains(refusal({broken}), "a.exr: holds values that are not finite"));
-    FilmSums sums = sumsOf(0, 8);
-    sums.carry[0].pixels[4] = bad;
-    EXPECT_THROW(partOf(sums, origin()), Error);
+  }
+  for (const int limit : {1 << 30, -(1 << 30)}) {
+    FilmSums full = sumsOf(0, 8);
+    full.sums[0][4].high = limit;
+    EXPECT_THROW(partOf(full, origin()), Error);
   }
   FilmSums sums = sumsOf(0, 8);
   sums.rowsAhead = 1;
