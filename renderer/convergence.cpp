@@ -65,8 +65,9 @@ std::vector<std::string> doubtsAbout(const RenderStats& stats) {
   if (stats.nanSamples > 0)
     lines.push_back(std::to_string(stats.nanSamples) + " samples were not a number and were left out");
   if (stats.faults > 0)
-    lines.push_back(std::to_string(stats.faults) +
-                    " samples ran out of their loop budget; the picture may be wrong");
+    lines.push_back(
+        std::to_string(stats.faults) +
+        " samples ran out of their loop budget or were too bright for a film; the picture may be wrong");
   for (const std::string& line : {tailWarning(stats.error), clampWarning(stats)})
     if (!line.empty()) lines.push_back(line);
   return lines;

@@ -134,7 +134,7 @@ double FilmSums::radiance(std::size_t at) const {
 }
 
 bool FilmSums::full(std::size_t at) const {
-  return std::max(std::abs(sums[0][at].high), std::abs(sums[1][at].high)) >= gpu::FILM_BASE;
+  return std::max(std::abs(sums[0][at].high), std::abs(sums[1][at].high)) >= gpu::FILM_BASE - 64;
 }
 
 Image meanOf(const FilmSums& sums) {

@@ -14,12 +14,15 @@ struct FilmSum {
   ivec3 high;
 };
 
-// Not so what is no number, infinite, or beyond the high digit. By bits: isnan() and isinf() are not guaranteed without
-// SignedZeroInfNanPreserve.
-bool fitsFilm(float units) { return int(floatBitsToUint(units) & 0x7fffffffu) < int(floatBitsToUint(float(FILM_BASE))); }
-bool fitsFilm(vec3 units) { return fitsFilm(units.x) && fitsFilm(units.y) && fitsFilm(units.z); }
+// By bits: isnan() and isinf() are not guaranteed without SignedZeroInfNanPreserve.
+bool isFiniteBits(float x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u; }
+bool isFiniteVec(vec3 v) { return isFiniteBits(v.x) && isFiniteBits(v.y) && isFiniteBits(v.z); }
 
-// `units` must fit. It falls into digits of its own sign: each step takes off the leading bits of what is left, which is exact
+// The largest float below FILM_BASE: what is brighter counts as that, and makes the sum full.
+const float FILM_MOST = 1073741760.0;
+vec3 withinFilm(vec3 units) { return clamp(units, vec3(-FILM_MOST), vec3(FILM_MOST)); }
+
+// `units` must lie within the film. It falls into digits of its own sign: each step takes off the leading bits of what is left, which is exact
 // in floats. What lies below the last digit is cut off: at most 2^-48 of white (renderer/film_unit.hpp), where a pixel's noise
 // is above 2^-10 of its light even after a million samples. A sum beyond the high digit stays at its end.
 FilmSum addToFilm(FilmSum sum, vec3 units) {
@@ -35,7 +38,7 @@ FilmSum addToFilm(FilmSum sum, vec3 units) {
 
 bool isFull(FilmSum sum) {
   ivec3 size = abs(sum.high);
-  return max(size.x, max(size.y, size.z)) >= FILM_BASE;
+  return max(size.x, max(size.y, size.z)) >= int(FILM_MOST);
 }
 
 // Within a few 2^-24 of the sum, however small: the high digit of a negative one first lends to the others, so that all have

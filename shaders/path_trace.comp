@@ -101,9 +101,9 @@ void main() {
     // Commit a finished sample and start the next one.
     if (ended) {
       vec3 units = path.radiance * params.perFilmUnit;
-      bool fits = fitsFilm(units);
-      tally.nan += fits ? 0u : 1u;
-      total = addToFilm(total, fits ? units : vec3(0.0));
+      bool finite = isFiniteVec(units);
+      tally.nan += finite ? 0u : 1u;
+      total = addToFilm(total, finite ? withinFilm(units) : vec3(0.0));
       path = cameraPath(camera, pixel, pair, seed, index);
     }
   }

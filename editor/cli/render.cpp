@@ -78,9 +78,9 @@ int runRender(const RenderOptions& options) {
   renderer.setTonemapper(tonemapper);
   renderer.setDisplay(scene.display);
   renderer.setScene(scene, view, {scene.render.width, scene.render.height});
-  // The two pipelines may round a sample of glass differently, and a part must not show when the compiler was
+  // The two pipelines may round a sample of glass differently, and a file must not show when the compiler was
   // done.
-  if (part && !options.generic) renderer.waitForSpecialization();
+  if (!options.generic) renderer.waitForSpecialization();
   const double traceStart = secondsSinceStart();
   StillResult result = trace(renderer, request, interruption);
 

@@ -66,7 +66,7 @@ class RendererTest : public testing::Test {
   static bool onCpu() { return describe(*device_).type == "CPU"; }
 
   /// No sample lost to NaN, to a missing feature or to the loop budget.
-  void expectClean() {
+  virtual void expectClean() {
     renderer_->measureError();
     EXPECT_EQ(renderer_->stats().nanSamples, 0u);
     EXPECT_EQ(renderer_->stats().faults, 0u);

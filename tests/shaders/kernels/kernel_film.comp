@@ -31,9 +31,9 @@ void main() {
   uint dropped = 0u;
   for (uint i = 0u; i < additions; ++i) {
     vec3 units = rows ? questions[first + 6u + i].xyz : sampleAt(begin + i);
-    bool fits = fitsFilm(units);
-    dropped += fits ? 0u : 1u;
-    sum = addToFilm(sum, fits ? units : vec3(0.0));
+    bool finite = isFiniteVec(units);
+    dropped += finite ? 0u : 1u;
+    sum = addToFilm(sum, finite ? withinFilm(units) : vec3(0.0));
   }
   writeDigit(6u * at, sum.low);
   writeDigit(6u * at + 2u, sum.middle);
