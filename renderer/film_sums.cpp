@@ -134,7 +134,8 @@ double FilmSums::radiance(std::size_t at) const {
 }
 
 bool FilmSums::full(std::size_t at) const {
-  return std::max(std::abs(sums[0][at].high), std::abs(sums[1][at].high)) >= gpu::FILM_BASE - 64;
+  static const auto most = std::int32_t(std::nextafter(float(gpu::FILM_BASE), 0.0f));  // film_sum.glsl
+  return std::max(std::abs(sums[0][at].high), std::abs(sums[1][at].high)) >= most;
 }
 
 Image meanOf(const FilmSums& sums) {

@@ -22,9 +22,9 @@ bool isFiniteVec(vec3 v) { return isFiniteBits(v.x) && isFiniteBits(v.y) && isFi
 const float FILM_MOST = 1073741760.0;
 vec3 withinFilm(vec3 units) { return clamp(units, vec3(-FILM_MOST), vec3(FILM_MOST)); }
 
-// `units` must lie within the film. It falls into digits of its own sign: each step takes off the leading bits of what is left, which is exact
-// in floats. What lies below the last digit is cut off: at most 2^-48 of white (renderer/film_unit.hpp), where a pixel's noise
-// is above 2^-10 of its light even after a million samples. A sum beyond the high digit stays at its end.
+// `units` must lie within the film. It falls into digits of its own sign: each step takes off the leading bits of what is
+// left, which is exact in floats. What lies below the last digit is cut off: at most 2^-48 of white (renderer/film_unit.hpp),
+// where a pixel's noise is above 2^-10 of its light even after a million samples. A sum beyond the high digit stays at its end.
 FilmSum addToFilm(FilmSum sum, vec3 units) {
   ivec3 high = ivec3(units);
   precise vec3 rest = (units - vec3(high)) * float(FILM_BASE);
