@@ -5,7 +5,7 @@
 #define LIGHT_SAMPLING_GLSL
 #include "sampling.glsl"
 
-// Rects of a smaller or larger solid angle are sampled by area: there the spherical warp rounds badly.
+// Rects and triangles of a smaller or larger solid angle are sampled by area: there the spherical warp rounds badly.
 const float SMALL_SOLID_ANGLE = 1e-4;
 const float LARGE_SOLID_ANGLE = 6.2;
 
@@ -145,9 +145,7 @@ RectView rectView(vec3 p, vec3 centre, vec3 u, vec3 v) {
   return square ? withSolidAngle(view) : view;
 }
 
-bool sampledByArea(RectView view) {
-  return view.solidAngle < SMALL_SOLID_ANGLE || view.solidAngle > LARGE_SOLID_ANGLE;
-}
+bool sampledByArea(float solidAngle) { return solidAngle < SMALL_SOLID_ANGLE || solidAngle > LARGE_SOLID_ANGLE; }
 
 // 1 + cosine of the angle between two unit vectors, also of nearly opposite ones.
 float onePlusCos(vec3 a, vec3 b) {
@@ -155,33 +153,41 @@ float onePlusCos(vec3 a, vec3 b) {
   return 0.5 * dot(sum, sum);
 }
 
-// Uniform in the rectangle's solid angle: by u a great circle through corner a, by v a direction on it (Arvo, SIGGRAPH
-// 1995). The circle cuts the solid angle 2 near off the triangle a, e, c, from the neighbour e = b or d of a, so that
-// 2 far are left: Van Oosterom & Strackee's formula, solved for the cut's end on the edge e c, is a sum of positive
-// terms, in which no digits are lost.
-LightDirection sampleRectDirections(RectView view, float u, float v) {
-  float cut = u * 0.5 * view.solidAngle;
-  bool first = cut < view.halfAbc;
-  vec3 a = vec3(view.x0, view.y0, view.z);
-  vec3 e = vec3(first ? view.x1 : view.x0, first ? view.y0 : view.y1, view.z);
-  vec3 c = vec3(view.x1, view.y1, view.z);
+// Where on triangle (a, e, c), whose corners are seen from the origin, a direction that is uniform in its solid angle
+// meets it: x of the way from e to c, then y of the way from a to there. The great circle through corner a leaves half
+// solid angles of these sines beside e and beside c, by v the direction lies on it (Arvo, SIGGRAPH 1995). Van Oosterom &
+// Strackee's formula, solved for the circle's end on the edge e c, is a sum of positive terms, in which no digits are lost.
+vec2 placeInTriangle(vec3 a, vec3 e, vec3 c, float near, float far, float v) {
   float ia = inversesqrt(dot(a, a));
   float ie = inversesqrt(dot(e, e));
   float ic = inversesqrt(dot(c, c));
-  float near = cosSinTurn((first ? cut : 0.5 * view.solidAngle - cut) * (0.5 / PI)).s;
-  float far = cosSinTurn(abs(view.halfAbc - cut) * (0.5 / PI)).s;
   float ec = onePlusCos(e * ie, c * ic);
-  far *= sqrt(2.0 * ec * onePlusCos(a * ia, c * ic) / onePlusCos(a * ia, e * ie));
-  float weightE = far * (far + 2.0 * near) * ie;
-  float weightC = 2.0 * near * (far + near * ec) * ic;
-  vec3 end = e + (c - e) * (weightC / (weightE + weightC));
+  float rest = far * sqrt(2.0 * ec * onePlusCos(a * ia, c * ic) / onePlusCos(a * ia, e * ie));
+  float weightE = rest * (rest + 2.0 * near) * ie;
+  float weightC = 2.0 * near * (rest + near * ec) * ic;
+  float across = weightC / (weightE + weightC);
+  vec3 end = e + (c - e) * across;
 
   float iEnd = inversesqrt(dot(end, end));
   float x = 1.0 - dot(a, end) * (ia * iEnd);
   float end2 = sqrt(v * (2.0 - v * x) / (2.0 - x));
   float weightEnd = end2 * iEnd;
   float weightA = max(1.0 - v * x - (1.0 - x) * end2, 0.0) * ia;
-  vec3 at = a + (end - a) * (weightEnd / (weightA + weightEnd));
+  return vec2(across, weightEnd / (weightA + weightEnd));
+}
+
+// Uniform in the rectangle's solid angle: the great circle by u cuts off 2 near beside the neighbour e = b or d of a.
+LightDirection sampleRectDirections(RectView view, float u, float v) {
+  float cut = u * 0.5 * view.solidAngle;
+  bool first = cut < view.halfAbc;
+  vec3 a = vec3(view.x0, view.y0, view.z);
+  vec3 e = vec3(first ? view.x1 : view.x0, first ? view.y0 : view.y1, view.z);
+  vec3 c = vec3(view.x1, view.y1, view.z);
+  float near = cosSinTurn((first ? cut : 0.5 * view.solidAngle - cut) * (0.5 / PI)).s;
+  float far = cosSinTurn(abs(view.halfAbc - cut) * (0.5 / PI)).s;
+  vec2 place = placeInTriangle(a, e, c, near, far, v);
+  vec3 end = e + (c - e) * place.x;
+  vec3 at = a + (end - a) * place.y;
   float t2 = dot(at, at);
   float inv = inversesqrt(t2);
   vec3 wi = (view.ex * at.x + view.ey * at.y + view.ez * at.z) * inv;
@@ -208,7 +214,7 @@ LightDirection sampleRect(vec3 p, vec3 centre, vec3 halfU, vec3 halfV, float u, 
   vec3 toPoint = (centre - p) + halfU * (2.0 * u - 1.0) + halfV * (2.0 * v - 1.0);
   LightDirection byArea = towardsPoint(toPoint, cross(halfU, halfV) * 4.0);
   LightDirection byAngle = sampleRectDirections(view, u, v);
-  bool area = sampledByArea(view);
+  bool area = sampledByArea(view.solidAngle);
   return LightDirection(area ? byArea.wi : byAngle.wi, area ? byArea.distance : byAngle.distance, area ? byArea.pdf : byAngle.pdf);
 }
 
@@ -216,7 +222,7 @@ LightDirection sampleRect(vec3 p, vec3 centre, vec3 halfU, vec3 halfV, float u, 
 float rectPdf(vec3 p, vec3 centre, vec3 halfU, vec3 halfV, vec3 wi) {
   RectView view = rectView(p, centre, halfU, halfV);
   float byArea = areaPdf(centre - p, cross(halfU, halfV) * 4.0, wi);
-  return sampledByArea(view) ? byArea : 1.0 / view.solidAngle;
+  return sampledByArea(view.solidAngle) ? byArea : 1.0 / view.solidAngle;
 }
 
 // Whether wi lies within x = 1 - cos of a unit axis: by the chord, whose square is 2 (1 - cos).

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Meshes that glow, as lights: a triangle in proportion to its share of the mesh's area, then a point of it at random.
+// Meshes that glow, as lights: a triangle in proportion to its share of the mesh's area, then a
+// direction that is uniform in its solid angle.
 #ifndef MESH_LIGHT_GLSL
 #define MESH_LIGHT_GLSL
 #include "lights.glsl"
 #include "mesh_attributes.glsl"
 #include "surface.glsl"
 #include "texture.glsl"
+#include "triangle_sampling.glsl"
 
 bool isMeshLight(LightRows light) { return kMeshLights && uint(light.a.w) == LIGHT_MESH; }
 
@@ -62,20 +64,19 @@ vec3 emissionTexture(LightRows light, uint triangle, vec3 weights, Layout l) {
 LightSample sampleMeshLight(LightRows light, vec3 p, float u, float v, Layout l) {
   uint triangle = triangleAtShare(light, u);
   LightTriangle t = lightTriangle(light, triangle, l);
-  float root = sqrt(clamp((u - t.before) / max(t.share, 1e-20), 0.0, 1.0));
-  vec3 weights = vec3(1.0 - root, root * (1.0 - v), root * v);
-  vec3 toPoint = (t.corner - p) + t.edge1 * weights.y + t.edge2 * weights.z;
-  LightDirection d = towardsPoint(toPoint, cross(t.edge1, t.edge2) * 0.5);
-  float pdf = d.pdf * t.share;
-  vec3 illuminance = pdf > 0.0 ? light.b.xyz * emissionTexture(light, triangle, weights, l) / pdf : vec3(0.0);
+  TriangleSample s = sampleTriangle(triangleView(t.corner - p, t.edge1, t.edge2), (u - t.before) / max(t.share, 1e-20), v);
+  float t2 = max(dot(s.toPoint, s.toPoint), 1e-36);
+  float inv = inversesqrt(t2);
+  float pdf = s.pdf * t.share;
+  vec3 illuminance = pdf > 0.0 ? light.b.xyz * emissionTexture(light, triangle, s.weights, l) / pdf : vec3(0.0);
   // The mesh may shadow itself, so the ray ends just before the point, by more than rounding does.
-  return LightSample(d.wi, d.distance * 0.99998, illuminance, pdf, NO_PRIMITIVE);
+  return LightSample(s.toPoint * inv, t2 * inv * 0.99998, illuminance, pdf, NO_PRIMITIVE);
 }
 
 // Density with which sampleMeshLight() would have chosen wi, for a direction from p that meets this triangle (its row).
 float meshLightPdf(LightRows light, uint triangle, vec3 p, vec3 wi, Layout l) {
   LightTriangle t = lightTriangle(light, triangle, l);
-  return areaPdf(t.corner - p, cross(t.edge1, t.edge2) * 0.5, wi) * t.share;
+  return trianglePdf(triangleView(t.corner - p, t.edge1, t.edge2), wi) * t.share;
 }
 
 #endif

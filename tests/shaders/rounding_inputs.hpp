@@ -96,6 +96,15 @@ inline Question lightQuestion(Random& random) {
           rowOf(x * radius * random.uniform(0.2, 1.0), radius), rowOf(y * radius * random.uniform(0.2, 1.0))};
 }
 
+/// A triangle around a point from 1.3 to 1e3 sizes away.
+inline Question glowingTriangleQuestion(Random& random) {
+  const double size = random.decades(-2, 1);
+  const glm::dvec3 corner = random.direction() * (size * random.decades(0.1, 3));
+  const glm::dvec3 edge1 = random.direction() * size * random.uniform(0.2, 1.0);
+  const glm::dvec3 edge2 = random.direction() * size * random.uniform(0.2, 1.0);
+  return {rowOf(corner, random.uniform()), rowOf(edge1, random.uniform()), rowOf(edge2)};
+}
+
 /// A ray at a point of the triangle's neighbourhood: corners around `target` within `size`, from up to 1e3
 /// sizes away.
 inline Question triangleAt(Random& random, const glm::dvec3& normal, double size, double thickness,

@@ -41,6 +41,8 @@ const Gate<Question> gates[] = {
     {"sampleRect pdf", 23, lightQuestion, 9.2e-5, 8.4e-3},
     {"sampleDisk direction", 24, lightQuestion, 8.8e-7, 1.2e-5},
     {"sampleDisk pdf", 25, lightQuestion, 1.0e-4, 6.0e-3},
+    {"sampleTriangle direction", 26, glowingTriangleQuestion, 5.2e-7, 6.4e-7},
+    {"sampleTriangle pdf", 27, glowingTriangleQuestion, 1.0e-4, 1.7e-2},
     {"hitRect t", 6, affineQuestion, 1.2e-5, 8.4e-4},
     {"hitDisk t", 7, affineQuestion, 1.2e-5, 5.6e-4},
     {"hitTriangle t", 30, triangleQuestion, 2.4e-6, 5.6e-6},

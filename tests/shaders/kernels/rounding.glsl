@@ -11,6 +11,7 @@
 #include "shapes.glsl"
 #include "sphere_map.glsl"
 #include "triangle.glsl"
+#include "triangle_sampling.glsl"
 
 vec4 scalar(float x) { return vec4(x, 0.0, 0.0, 0.0); }
 
@@ -94,6 +95,12 @@ vec4 roundLight(uint operation, vec4 a, vec4 b, vec4 c, vec4 d) {
   return (operation & 1u) == 0u ? vec4(s.wi, 0.0) : scalar(s.pdf);
 }
 
+// (corner, u) (edge, v) (edge, -) of a triangle around the origin.
+vec4 roundGlowingTriangle(uint operation, vec4 a, vec4 b, vec4 c) {
+  TriangleSample s = sampleTriangle(triangleView(a.xyz, b.xyz, c.xyz), a.w, b.w);
+  return operation == 26u ? vec4(normalize(s.toPoint), 0.0) : scalar(s.pdf);
+}
+
 // (p, u) (-, v) (rows of unitFromWorld with the centre): directions and densities of a box, a cylinder, an ellipsoid.
 vec4 roundSolid(uint operation, vec4 a, vec4 b, vec4 c, vec4 d, vec4 e) {
   uint kind = LIGHT_BOX + (operation - 50u) / 2u;
@@ -105,7 +112,8 @@ vec4 rounded(uint operation, vec4 a, vec4 b, vec4 c, vec4 d, vec4 e) {
   vec4 result = vec4(0.0);
   if (operation < 10u) result = roundShape(operation, a, b, c, d, e);
   else if (operation < 20u) result = roundScattering(operation, a, b, c);
-  else if (operation < 30u) result = roundLight(operation, a, b, c, d);
+  else if (operation < 26u) result = roundLight(operation, a, b, c, d);
+  else if (operation < 30u) result = roundGlowingTriangle(operation, a, b, c);
   else if (operation < 32u) result = roundTriangle(operation, a, b, c, d, e);
   else if (operation < 40u) result = roundRefraction(operation, a, b, c);
   else if (operation < 50u) result = roundWarp(operation, a, b, c);
