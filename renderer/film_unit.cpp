@@ -18,13 +18,21 @@ float brightest(const glm::vec4& row) {
   return std::max({row.x, row.y, row.z});
 }
 
+/// Of all textures, whatever they are for: only those of half floats go beyond 1.
+float brightestTexture(const GpuScene& scene) {
+  float most = 1.0f;
+  for (const auto& texture : scene.textures) most = std::max(most, texture->brightest);
+  return most;
+}
+
 }  // namespace
 
 float brightestEmission(const GpuScene& scene, float brightestTexel) {
   const gpu::TraceParams& p = scene.params;
+  const float textured = brightestTexture(scene);
   float most = 0.0f;
   for (std::uint32_t row = p.materialRow; row < p.objectRow; row += gpu::MATERIAL_ROWS)
-    most = std::max(most, brightest(scene.rows[row + 2]));
+    most = std::max(most, brightest(scene.rows[row + 2]) * textured);
   for (std::uint32_t i = 0; i < p.sunCount; ++i) {
     const glm::vec4& illuminance = scene.rows[p.lightRow + i * gpu::LIGHT_ROWS + 1];
     const float solidAngle = 2.0f * std::numbers::pi_v<float> * illuminance.w;

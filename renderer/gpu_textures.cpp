@@ -69,6 +69,17 @@ std::vector<std::uint32_t> wordsOf(const TexturePixels& pixels) {
   return words;
 }
 
+/// What has no half floats ends at 1, and need not be looked through.
+float brightestOf(const TexelCodec& codec, const std::vector<std::uint32_t>& words) {
+  if ((codec.bits() & TEXEL_FORMAT_MASK) != TEXEL_HALF) return 1.0f;
+  float most = 0.0f;
+  for (std::size_t at = 0; at < words.size(); at += codec.wordsPerTexel()) {
+    const glm::vec4 texel = codec.decode(&words[at]);
+    most = std::max({most, texel.x, texel.y, texel.z});
+  }
+  return most;
+}
+
 bool isSrgb16(const PackedTexture& texture) {
   return (texture.bits & (TEXEL_FORMAT_MASK | TEXEL_SRGB)) == (TEXEL_RGBA16 | TEXEL_SRGB);
 }
@@ -93,6 +104,7 @@ PackedTexture packTexture(const TexturePixels& pixels, bool srgb) {
   packed.words.resize(packed.levels);
   packed.words[0] = packed.levels;
   packed.words.insert(packed.words.end(), source.begin(), source.end());
+  packed.brightest = brightestOf(codec, source);
   Level level{packed.width, packed.height, {}};
   for (std::uint32_t i = 1; i < packed.levels; ++i) {
     level = i == 1 ? halved(level.width, level.height,

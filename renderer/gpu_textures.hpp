@@ -18,6 +18,7 @@ struct PackedTexture {
   std::uint32_t width = 0, height = 0, levels = 0;
   std::uint32_t bits = 0;  // TEXEL_* of the format
   std::vector<std::uint32_t> words;
+  float brightest = 0.0f;  // red, green or blue of any texel, in linear light
 };
 
 /// `srgb`: what the codes mean (half floats are linear in any case). Linear in the number of texels.

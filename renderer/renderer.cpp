@@ -254,6 +254,9 @@ void Renderer::setPatient(bool patient) {
 void Renderer::waitForSpecialization() {
   impl_->variants.waitFor(impl_->neededVariant());
 }
+bool Renderer::awaitsSpecialization() {
+  return impl_->variants.awaits(impl_->neededVariant());
+}
 
 bool Renderer::trace(double budgetMs) {
   return impl_->film && impl_->traceFilm(budgetMs);

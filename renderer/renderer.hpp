@@ -173,6 +173,8 @@ class Renderer {
   void setPatient(bool patient);
   /// Block until the special pipeline for this scene runs (stills and benches).
   void waitForSpecialization();
+  /// The same for a frame loop: true while the special pipeline is being compiled. Never blocks.
+  bool awaitsSpecialization();
 
   /// Trace one batch of about `budgetMs` of device time and wait for it. False when the sample range is
   /// exhausted. Throws Error(noDevice) when the device is lost or does not answer in time.

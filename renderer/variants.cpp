@@ -212,11 +212,20 @@ Variants::Choice Variants::choose(const VariantKey& needed) {
 void Variants::waitFor(const VariantKey& needed) {
   choose(needed);
   std::unique_lock lock(mutex_);
-  if (!allowSpecial_ && !needed.ablation) return;
-  changed_.wait(lock, [&] {
-    return std::ranges::find(ready_, needed, &Special::key) != ready_.end() ||
-           std::ranges::find(failed_, needed) != failed_.end();
-  });
+  changed_.wait(lock, [&] { return settled(needed); });
+}
+
+bool Variants::settled(const VariantKey& needed) const {
+  return (!allowSpecial_ && !needed.ablation) ||
+         std::ranges::find(ready_, needed, &Special::key) != ready_.end() ||
+         std::ranges::find(failed_, needed) != failed_.end();
+}
+
+bool Variants::awaits(const VariantKey& needed) {
+  const std::lock_guard lock(mutex_);
+  if (settled(needed)) return false;
+  want(needed);
+  return true;
 }
 
 void Variants::allowSpecial(bool allow) {

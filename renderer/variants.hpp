@@ -58,6 +58,8 @@ class Variants {
   Choice choose(const VariantKey& needed);
   /// Compile `needed` now unless it is there. Blocks.
   void waitFor(const VariantKey& needed);
+  /// The same without blocking: false once `needed` is there, or cannot be had. Asks the worker for it.
+  bool awaits(const VariantKey& needed);
   void allowSpecial(bool allow);
   double compileSeconds() const;
 
@@ -67,6 +69,7 @@ class Variants {
     std::unique_ptr<gpu::ComputePass> pass;
   };
   const Special* find(const VariantKey& needed) const;
+  bool settled(const VariantKey& needed) const;  // ready, failed, or not allowed
   const Special* add(const VariantKey& key, std::unique_ptr<gpu::ComputePass> pass, double seconds);
   const Special* compileGeneric(const VariantKey& key, std::unique_lock<std::mutex>& lock);
   void want(const VariantKey& key);

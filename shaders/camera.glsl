@@ -35,7 +35,8 @@ struct CameraRay {
 CameraRay cameraRay(CameraRows camera, float x, float y, float lensU, float lensV) {
   float right = (x - 0.5 * float(params.width)) * params.pixelScale;
   float up = (0.5 * float(params.height) - y) * params.pixelScale;
-  vec3 inPlane = camera.right.xyz * right + camera.up.xyz * up;
+  // `precise`: a variant that needs this sum once more must not round `d` in another way.
+  precise vec3 inPlane = camera.right.xyz * right + camera.up.xyz * up;
   vec3 o = vec3(0.0);
   vec3 d = inPlane + camera.forward.xyz;
   if (kLens) {

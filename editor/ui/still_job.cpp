@@ -56,6 +56,7 @@ void StillJob::measure() {
 }
 
 bool StillJob::advance(double budgetMs) {
+  if (renderer_.awaitsSpecialization()) return false;  // a file does not depend on when a compiler is done
   if (settings_.byError) renderer_.extendSamples(measureAt_);
   const bool more = renderer_.trace(budgetMs);
   if (stats().samples >= measureAt_) measure();

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "tests/renderer/scenes.hpp"
+#include "tests/renderer/textures.hpp"
 
 namespace steradian {
 namespace {
@@ -44,6 +45,17 @@ TEST(FilmUnit, leaves_room_for_a_million_samples_of_the_brightest) {
   around.image = std::make_shared<Image>(Image{2, 1, 3, {0, 0, 0, 0, 60000, 0}});
   addLight(sky, at({0, 0, 0}), around, 1000.0f);
   EXPECT_EQ(unitOf(sky), 65536.0);
+}
+
+TEST(FilmUnit, counts_textures_that_glow_beyond_one) {
+  for (const float texel : {0.5f, 64.0f}) {
+    Scene scene = plainScene(1);
+    Material screen = emitter(1e9f);
+    screen.emissionTexture = textures::slot(textures::made(
+        2, 2, textures::Format::rgbaHalf, [&](int x, int y) { return glm::vec4(0, x * y * texel, 0, 1); }));
+    add(scene, at({0, 0, 0}), textures::shape(textures::picture()), screen);
+    EXPECT_EQ(unitOf(scene), texel > 1.0f ? 0x1p26 : 0x1p20);
+  }
 }
 
 TEST(FilmUnit, is_a_power_of_two_whatever_the_scene) {
