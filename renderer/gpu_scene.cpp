@@ -237,10 +237,19 @@ void applySettings(GpuScene& out, const RenderSettings& s) {
   out.params.flags = (s.errorMeter ? TRACE_ERROR_METER : 0u) |
                      (s.russianRoulette ? TRACE_RUSSIAN_ROULETTE : 0u) |
                      (s.energyCompensation ? TRACE_COMPENSATION : 0u);
-  constexpr std::uint32_t roulettesFirstBounce = 3;  // path_trace.comp
-  if (s.russianRoulette && out.params.maxBounces > roulettesFirstBounce) out.features |= FEATURE_ROULETTE;
   if (s.energyCompensation) out.features |= FEATURE_COMPENSATION;
   if (s.clamp > 0.0f) out.features |= FEATURE_CLAMP;
+}
+
+// How far paths go, which depends on whether there is something to meet.
+void applyPathLength(GpuScene& out, bool russianRoulette) {
+  constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
+  const bool meets = (out.features & met) != 0;
+  if (meets) out.params.flags |= TRACE_MET_LIGHTS;
+  const std::uint32_t lastBounce = out.params.maxBounces + (meets ? 1 : 0);  // path.glsl
+  constexpr std::uint32_t roulettesFirstBounce = 3;                          // and there
+  // The vertex before the last must play already.
+  if (russianRoulette && lastBounce > roulettesFirstBounce) out.features |= FEATURE_ROULETTE;
 }
 
 }  // namespace
@@ -305,8 +314,7 @@ GpuScene packScene(const Scene& scene, const CameraView& view, Extent film, Scen
   out.traversalSteps += double(std::bit_width(lights.mostTriangles()));
   constexpr double manyVeils = 16.0;
   if ((out.features & FEATURE_ALPHA) != 0) out.traversals = manyVeils;
-  constexpr std::uint32_t met = FEATURE_EMISSION | FEATURE_AREA_LIGHTS | FEATURE_SUNS | FEATURE_ENVIRONMENT;
-  if ((out.features & met) != 0) out.params.flags |= TRACE_MET_LIGHTS;
+  applyPathLength(out, scene.render.russianRoulette);
   const float brightestTexel = out.environment ? cache.skyOf(out.environment)->front().y : 1.0f;
   out.filmUnit = filmUnit(brightestEmission(out, brightestTexel), scene.display);
   return out;

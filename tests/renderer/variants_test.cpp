@@ -98,6 +98,13 @@ Scene veilBeforeABall() {  // meshes, textures, opacity
   return scene;
 }
 
+Scene shortestRoulette() {  // played once, before the ray that may meet a light
+  Scene scene = lampsOfAllKinds();
+  scene.render.russianRoulette = true;
+  EXPECT_EQ(scene.render.maxBounces, 3);
+  return scene;
+}
+
 Scene partlyGlass() {  // every lobe at once
   Scene scene = glassAndSky(0.2f, 0.5f);
   Material cloudy = plastic(0.3f, {0.4f, 0.6f, 0.9f});
@@ -126,6 +133,7 @@ std::vector<FeatureScene> cases() {
                                 {"polished floor", polishedFloor(), frontView()},
                                 {"crowd", crowd(), frontView()},
                                 {"veil before a ball", veilBeforeABall(), frontView()},
+                                {"shortest roulette", shortestRoulette(), frontView()},
                                 {"partly glass", partlyGlass(), frontView()},
                                 {"furnished room", room(4), frontView()}};
   all.insert(all.end(), std::begin(basic), std::end(basic));
