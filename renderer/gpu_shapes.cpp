@@ -40,11 +40,20 @@ void pushSphere(ShapeLists& lists, double radius, const glm::dvec3& centre, Surf
        place);
 }
 
+// A wall that was turned by a right angle faces an axis: what the digits of its rotation leave of the others
+// is 0.
+glm::dvec3 withoutDust(glm::dvec3 unit) {
+  constexpr double dust = 4.0 * std::numeric_limits<double>::epsilon();
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(unit[c]) < dust) unit[c] = 0.0;
+  return unit;
+}
+
 void pushPlane(ShapeLists& lists, const glm::dmat3& m, const glm::dvec3& point, SurfaceLink link) {
   const glm::dvec3 up = glm::cross(m[2], m[0]) * (glm::determinant(m) < 0.0 ? -1.0 : 1.0);
   const double length = glm::length(up);
   if (!std::isfinite(length) || length == 0.0) return;
-  const glm::vec3 n(up / length);  // D for the normal as it is stored
+  const glm::vec3 n(withoutDust(up / length));  // D for the normal as it is stored
   push(lists.kinds[planes], {row(glm::dvec3(n), glm::dot(point, glm::dvec3(n)))}, link, {m, point});
 }
 

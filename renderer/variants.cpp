@@ -28,6 +28,7 @@ std::vector<Specialization> constantsOf(const Device& device, const VariantKey& 
   constants.push_back({CONSTANT_FIXED_SPHERES, key.fixedSpheres});
   constants.push_back({CONSTANT_FIXED_PLANES, key.fixedPlanes});
   constants.push_back({CONSTANT_FIXED_LIGHTS, key.fixedLights});
+  constants.push_back({CONSTANT_PLANE_AXES, key.planeAxes});
   constants.push_back({CONSTANT_ABLATION, key.ablation ? 1u : 0u});
   constants.push_back({CONSTANT_ONE_INSTANCE, key.oneInstance ? 1u : 0u});
   constants.push_back({CONSTANT_SHAPE_HIERARCHY, key.shapeHierarchy ? 1u : 0u});
@@ -74,9 +75,9 @@ bool VariantKey::covers(const VariantKey& needed) const {
   const auto serves = [](std::uint32_t own, std::uint32_t asked) { return own == 0 || own == asked; };
   return (needed.features & ~features) == 0 && serves(fixedSpheres, needed.fixedSpheres) &&
          serves(fixedPlanes, needed.fixedPlanes) && serves(fixedLights, needed.fixedLights) &&
-         serves(oneInstance, needed.oneInstance) && shapeHierarchy == needed.shapeHierarchy &&
-         meshLights == needed.meshLights && (needed.solidLights & ~solidLights) == 0 &&
-         ablation == needed.ablation;
+         serves(planeAxes, needed.planeAxes) && serves(oneInstance, needed.oneInstance) &&
+         shapeHierarchy == needed.shapeHierarchy && meshLights == needed.meshLights &&
+         (needed.solidLights & ~solidLights) == 0 && ablation == needed.ablation;
 }
 
 VariantKey genericFor(const VariantKey& needed) {
@@ -89,6 +90,26 @@ VariantKey genericFor(const VariantKey& needed) {
   return generic;
 }
 
+namespace {
+
+// 0 of a plane that faces no axis exactly, else 1 + the axis, and 3 more for its negative side.
+std::uint32_t facingOf(const glm::vec4& plane) {
+  std::uint32_t facing = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(plane[axis]) == 1.0f) facing = 1u + std::uint32_t(axis) + (plane[axis] < 0.0f ? 3u : 0u);
+  return glm::abs(plane.x) + glm::abs(plane.y) + glm::abs(plane.z) == 1.0f ? facing : 0u;
+}
+
+std::uint32_t planeAxes(const GpuScene& scene) {
+  const std::size_t first = CAMERA_ROWS + FILTER_ROWS + scene.params.sphereCount;
+  std::uint32_t axes = 0;
+  for (std::uint32_t i = 0; i < scene.params.planeCount; ++i)
+    axes |= facingOf(scene.rows[first + i]) << (3 * i);
+  return axes;
+}
+
+}  // namespace
+
 VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
   const TraceParams& p = scene.params;
   VariantKey key{scene.features};
@@ -99,6 +120,7 @@ VariantKey variantFor(const GpuScene& scene, std::uint32_t lightSamples) {
   if (listedSpheres <= MAX_FIXED && p.planeCount <= MAX_FIXED) {
     key.fixedSpheres = listedSpheres;
     key.fixedPlanes = p.planeCount;
+    key.planeAxes = planeAxes(scene);
   }
   key.oneInstance = scene.oneInstance();
   // Every baked light is one more copy of the traversal, which is long where there are meshes.

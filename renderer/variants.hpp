@@ -18,11 +18,12 @@ namespace steradian {
 struct VariantKey {
   std::uint32_t features = 0;
   std::uint32_t fixedSpheres = 0, fixedPlanes = 0, fixedLights = 0;  // 0 = counted at run time
-  bool oneInstance = false;                                          // of a mesh
-  bool shapeHierarchy = false;                                       // bounded shapes lie in the hierarchy
-  bool meshLights = false;                                           // meshes are among the lights
-  std::uint32_t solidLights = 0;                                     // bit i: CONSTANT_SOLID_LIGHTS + i
-  bool ablation = false;                                             // obeys the flags of measurements
+  std::uint32_t planeAxes = 0;    // that fixed planes face: CONSTANT_PLANE_AXES
+  bool oneInstance = false;       // of a mesh
+  bool shapeHierarchy = false;    // bounded shapes lie in the hierarchy
+  bool meshLights = false;        // meshes are among the lights
+  std::uint32_t solidLights = 0;  // bit i: CONSTANT_SOLID_LIGHTS + i
+  bool ablation = false;          // obeys the flags of measurements
   bool operator==(const VariantKey&) const = default;
   /// Compiled for at least what `needed` asks; counts at run time serve any count.
   bool covers(const VariantKey& needed) const;

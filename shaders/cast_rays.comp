@@ -17,7 +17,7 @@ void main() {
   vec4 from = rays[2u * at];
   Ray ray = Ray(from.xyz, rays[2u * at + 1u].xyz, NO_PRIMITIVE, false);
   Hit hit = Hit(from.w, NO_PRIMITIVE, 0u);
-  if (kAnyHit) hit.primitive = occluded(ray, from.w, NO_PRIMITIVE, l) ? 0u : NO_PRIMITIVE;
+  if (kAnyHit) hit.primitive = occluded(ray, unplaced(from.w), NO_PRIMITIVE, l) ? 0u : NO_PRIMITIVE;
   else hit = closestHit(ray, from.w, l);
   hits[at] = vec4(hit.t, uintBitsToFloat(hit.primitive), uintBitsToFloat(hit.triangle), 0.0);
 }

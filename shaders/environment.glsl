@@ -128,7 +128,7 @@ LightSample sampleEnvironment(float u, float v) {
   SkyValue value = skyValue(sky, e, cell);
   vec3 wi = sky.right * e.x + sky.up * e.y + sky.back * e.z;
   vec3 arriving = value.pdf > 0.0 ? value.radiance / value.pdf : vec3(0.0);
-  return LightSample(wi, INFINITE, arriving, value.pdf, NO_PRIMITIVE);
+  return LightSample(wi, INFINITE, arriving, value.pdf, NO_PRIMITIVE, vec3(0.0));
 }
 
 #endif

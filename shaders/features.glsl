@@ -48,11 +48,15 @@ layout(constant_id = 42) const bool kMeshLights = false;
 layout(constant_id = 43) const bool kBoxLights = false;
 layout(constant_id = 44) const bool kCylinderLights = false;
 layout(constant_id = 45) const bool kEllipsoidLights = false;
+// What baked planes face, 3 bits each: 0 = any direction, else 1 + the axis, and 3 more for its negative side.
+layout(constant_id = 46) const uint kPlaneAxes = 0u;
 
 const bool kSolidLights = kBoxLights || kCylinderLights || kEllipsoidLights;
 const bool kLights = kPointLights || kSpotLights || kDirectionalLights || kAreaLights;
 // Lights that paths meet as well: both ways are weighed against each other.
 const bool kMetLights = kAreaLights || kSuns || kSampledSky;
+// Lights without a place of their own have none to tell planes from.
+const bool kOnlyPoints = !kDirectionalLights && !kAreaLights && !kSampledSky;
 const bool kAffine = kBoxes || kRects || kDisks || kCylinders || kEllipsoids;
 
 // Material feature bits that this variant lacks must not occur: the sample is counted as a fault.

@@ -183,7 +183,8 @@ GPU_CONST uint CONSTANT_SHAPE_HIERARCHY = 41u;  // as TRACE_SHAPE_HIERARCHY
 GPU_CONST uint CONSTANT_MESH_LIGHTS = 42u;      // meshes are among the lights
 GPU_CONST uint CONSTANT_SOLID_LIGHTS = 43u;     // boxes are; the next two: cylinders, ellipsoids
 GPU_CONST uint SOLID_LIGHT_KINDS = 3u;
-GPU_CONST uint MAX_FIXED = 8u;  // spheres, planes
+GPU_CONST uint CONSTANT_PLANE_AXES = 46u;  // 3 bits for each fixed plane (features.glsl)
+GPU_CONST uint MAX_FIXED = 8u;             // spheres, planes
 GPU_CONST uint MAX_FIXED_LIGHTS = 4u;
 
 // Flags of TraceParams.

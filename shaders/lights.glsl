@@ -13,6 +13,7 @@ struct LightSample {
   vec3 illuminance;  // lx at perpendicular incidence; for a light of non-zero size radiance / pdf
   float pdf;         // of wi, per solid angle; 0 for a punctual light
   uint primitive;    // that is the light, which must not shadow itself, or NO_PRIMITIVE
+  vec3 place;        // of a light that is a point
 };
 
 struct LightRows {
@@ -48,7 +49,7 @@ LightSample samplePunctual(LightRows light, vec3 p, uint kind) {
   vec3 toLight = light.a.xyz - p;
   float d2 = dot(toLight, toLight);
   float inv = inversesqrt(d2);
-  LightSample s = LightSample(toLight * inv, d2 * inv, light.b.xyz * (inv * inv), 0.0, NO_PRIMITIVE);
+  LightSample s = LightSample(toLight * inv, d2 * inv, light.b.xyz * (inv * inv), 0.0, NO_PRIMITIVE, light.a.xyz);
   if (kSpotLights) {
     // Smooth edge between the cones as the extension defines it.
     float edge = clamp(-dot(light.c.xyz, s.wi) * light.b.w + light.c.w, 0.0, 1.0);
@@ -59,7 +60,7 @@ LightSample samplePunctual(LightRows light, vec3 p, uint kind) {
 
 // A parallel light; with a disc its directions fill a cone, and E = radiance * pi * sin^2 of its half angle.
 LightSample sampleDirectional(LightRows light, float u, float v) {
-  LightSample s = LightSample(light.a.xyz, INFINITE, light.b.xyz, 0.0, NO_PRIMITIVE);
+  LightSample s = LightSample(light.a.xyz, INFINITE, light.b.xyz, 0.0, NO_PRIMITIVE, vec3(0.0));
   if (kSuns && light.b.w > 0.0) {
     s.wi = coneDirection(light.a.xyz, u * light.b.w, v);
     s.illuminance = light.b.xyz * (2.0 / (2.0 - light.b.w));
@@ -76,7 +77,7 @@ LightSample sampleArea(LightRows light, vec3 p, uint kind, float u, float v) {
   bool dark = (kRects || kDisks) && kind != LIGHT_SPHERE && !facesLight(light, p);
   float pdf = dark ? 0.0 : d.pdf;
   vec3 illuminance = pdf > 0.0 ? light.b.xyz / pdf : vec3(0.0);
-  return LightSample(d.wi, d.distance, illuminance, pdf, floatBitsToUint(light.d.w));
+  return LightSample(d.wi, d.distance, illuminance, pdf, floatBitsToUint(light.d.w), vec3(0.0));
 }
 
 SolidKinds solidKinds() { return SolidKinds(kBoxLights, kCylinderLights, kEllipsoidLights); }
@@ -90,7 +91,7 @@ SolidSpace solidLightSpace(LightRows light, uint kind, vec3 p) {
 LightSample sampleSolidLight(LightRows light, vec3 p, uint kind, float u, float v) {
   LightDirection d = sampleSolid(kind, solidLightSpace(light, kind, p), u, v, solidKinds());
   vec3 illuminance = d.pdf > 0.0 ? light.b.xyz / d.pdf : vec3(0.0);
-  return LightSample(d.wi, d.distance, illuminance, d.pdf, floatBitsToUint(light.d.w));
+  return LightSample(d.wi, d.distance, illuminance, d.pdf, floatBitsToUint(light.d.w), vec3(0.0));
 }
 
 // (u, v) in [0, 1)^2, used by lights of non-zero size only.

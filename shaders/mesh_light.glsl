@@ -70,7 +70,7 @@ LightSample sampleMeshLight(LightRows light, vec3 p, float u, float v, Layout l)
   float pdf = s.pdf * t.share;
   vec3 illuminance = pdf > 0.0 ? light.b.xyz * emissionTexture(light, triangle, s.weights, l) / pdf : vec3(0.0);
   // The mesh may shadow itself, so the ray ends just before the point, by more than rounding does.
-  return LightSample(s.toPoint * inv, t2 * inv * 0.99998, illuminance, pdf, NO_PRIMITIVE);
+  return LightSample(s.toPoint * inv, t2 * inv * 0.99998, illuminance, pdf, NO_PRIMITIVE, vec3(0.0));
 }
 
 // Density with which sampleMeshLight() would have chosen wi, for a direction from p that meets this triangle (its row).

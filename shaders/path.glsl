@@ -114,17 +114,18 @@ vec3 unshadowedLight(LightSample s, float samples, Vertex v, Lobes lobes) {
 // the gap that keeps the facet of a glowing mesh from shadowing itself would close that.
 struct ShadowRay {
   Ray ray;
-  float end;
+  ShadowEnd end;
 };
 
 ShadowRay shadowRay(LightSample s, Vertex v, vec3 local) {
-  ShadowRay shadow = ShadowRay(leaving(v, s.wi, local), s.distance);
+  bool placed = kOnlyPoints || (s.pdf == 0.0 && s.distance < INFINITE);
+  ShadowRay shadow = ShadowRay(leaving(v, s.wi, local), ShadowEnd(s.distance, s.place, placed));
   if (kMeshLights) {
     vec3 rest = (v.surface.p - shadow.ray.o) + s.wi * s.distance;
     float end = length(rest);
     bool shifted = v.surface.offset > 0.0 && s.distance < INFINITE && end > 0.0;
     shadow.ray.d = shifted ? rest / end : shadow.ray.d;
-    shadow.end = shifted ? end : shadow.end;
+    shadow.end.t = shifted ? end : shadow.end.t;
   }
   return shadow;
 }

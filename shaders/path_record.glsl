@@ -47,7 +47,7 @@ LightChoice lightOfSlot(Vertex v, uint slot) {
 
 LightSample sampleOfSlot(Vertex v, uint slot, LightChoice choice) {
   SamplePair pair = lightPair(v, 63u);
-  LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, NO_PRIMITIVE);
+  LightSample s = LightSample(vec3(0.0), 0.0, vec3(0.0), 0.0, NO_PRIMITIVE, vec3(0.0));
   if (slot < RECORD_SKY) s = lightSampleAt(fetchLight(choice.light), v, slot);
   else if (kSampledSky) s = sampleEnvironment(pair.x, pair.y);
   return s;

@@ -27,37 +27,39 @@ float hybridDiscriminant(float b, float c, float r2, float approach2) {
 // trusted: at a grazing angle rounding flips it, which would be a self hit outside and a leak inside.
 float ownSphere(float b, bool selfInside) { return selfInside ? max(-2.0 * b, 0.0) : INFINITE; }
 
-// The quadratic t^2 + 2 b t + c = 0 of a ray and a sphere, and its discriminant b^2 - c.
+// The quadratic t^2 + 2 b t + c = 0 of a ray and a sphere, and the squared distance of closest approach.
 struct SphereTerms {
   float b;
   float c;
-  float disc;
+  float r2;
+  float approach2;
 };
 
 SphereTerms sphereTerms(vec3 o, vec3 d, vec3 centre, float radius) {
   vec3 f = o - centre;
   float b = dot(f, d);
   float r2 = radius * radius;
-  float c = dot(f, f) - r2;
   vec3 l = f - d * b;
-  return SphereTerms(b, c, hybridDiscriminant(b, c, r2, dot(l, l)));
+  return SphereTerms(b, dot(f, f) - r2, r2, dot(l, l));
 }
 
 // Unit direction d.
 float hitSphere(vec3 o, vec3 d, vec3 centre, float radius, bool self, bool selfInside) {
   SphereTerms q = sphereTerms(o, d, centre, radius);
-  float t = nearestRoot(q.b, q.c, sqrt(max(q.disc, 0.0)));
-  return self ? ownSphere(q.b, selfInside) : (q.disc > 0.0 ? t : INFINITE);
+  float disc = hybridDiscriminant(q.b, q.c, q.r2, q.approach2);
+  float t = nearestRoot(q.b, q.c, sqrt(max(disc, 0.0)));
+  return self ? ownSphere(q.b, selfInside) : (disc > 0.0 ? t : INFINITE);
 }
 
 // Whether the segment (0, tMax) crosses the sphere: no root is needed, so no square root and no division. From outside
-// to outside it must pass the closest approach inside; otherwise one end is inside and the other is not.
+// to outside it must pass the closest approach inside; otherwise one end is inside and the other is not. Whether the approach
+// is inside, both discriminants tell equally well: where b^2 - c has lost no digits, the approach has none to lose.
 bool blocksSphere(vec3 o, vec3 d, float tMax, vec3 centre, float radius, bool self, bool selfInside) {
   SphereTerms q = sphereTerms(o, d, centre, radius);
   bool startInside = q.c < 0.0;
   bool endInside = q.c + tMax * (2.0 * q.b + tMax) < 0.0;
-  bool through = !startInside && q.b < 0.0 && tMax + q.b > 0.0 && q.disc > 0.0;
-  bool own = ownSphere(q.b, selfInside) < tMax;
+  bool through = !startInside && q.b < 0.0 && tMax + q.b > 0.0 && q.approach2 < q.r2;
+  bool own = selfInside && -2.0 * q.b < tMax;
   return self ? own : (startInside != endInside || through);
 }
 
@@ -83,20 +85,29 @@ float hitLargeSphere(vec3 o, vec3 d, vec4 high, vec4 low, bool self, bool selfIn
   return self ? ownSphere(b, selfInside) : (disc > 0.0 ? t : INFINITE);
 }
 
-// plane = unit normal and D, computed in double on the host. Only an exactly parallel ray misses.
-float hitPlane(vec3 o, vec3 d, vec4 plane, bool self) {
-  vec3 n = vec3(plane.x, plane.y, plane.z);
-  float dn = dot(d, n);
-  float t = (plane.w - dot(o, n)) / dn;
-  return dn != 0.0 && t > 0.0 && !self ? t : INFINITE;
+// A plane as a ray sees it: its height above the ray's start, and above the tip of the direction's arrow less that. Both
+// change sign with the normal, which no answer depends on.
+struct PlaneTerms {
+  float height;
+  float along;
+};
+
+// How far a plane (unit normal, D, computed in double on the host) lies above p.
+float planeHeight(vec3 p, vec4 plane) { return plane.w - dot(p, vec3(plane.x, plane.y, plane.z)); }
+
+PlaneTerms planeTerms(vec3 o, vec3 d, vec4 plane) {
+  return PlaneTerms(planeHeight(o, plane), dot(d, vec3(plane.x, plane.y, plane.z)));
+}
+
+// Only an exactly parallel ray misses. By the reciprocal, which opposite walls share.
+float hitPlane(PlaneTerms q, bool self) {
+  float t = q.height * (1.0 / q.along);
+  return q.along != 0.0 && t > 0.0 && !self ? t : INFINITE;
 }
 
 // Whether the plane lies within (0, tMax), without the division.
-bool blocksPlane(vec3 o, vec3 d, float tMax, vec4 plane, bool self) {
-  vec3 n = vec3(plane.x, plane.y, plane.z);
-  float dn = dot(d, n);
-  float height = plane.w - dot(o, n);
-  return height * dn > 0.0 && abs(height) < tMax * abs(dn) && !self;
+bool blocksPlane(PlaneTerms q, float tMax, bool self) {
+  return q.height * q.along > 0.0 && abs(q.height) < tMax * abs(q.along) && !self;
 }
 
 // An object-space ray of an affine shape: o - centre first, then the 3x3, so that far centres cost nothing.

@@ -15,6 +15,25 @@ void loadBakedPrimitives() {
   [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) bakedPlanes[i] = fetchRow(kFirstRow + sphereCount() + i);
 }
 
+// v's component along the axis that a plane faces.
+float alongAxis(uint facing, vec3 v) {
+  uint axis = (facing - 1u) % 3u;
+  return axis == 0u ? v.x : (axis == 1u ? v.y : v.z);
+}
+
+// Planes that face an axis need no dot products, and two that face each other share the reciprocal: the same bits at half the
+// work.
+float bakedPlaneHeight(uint i, vec3 p) {
+  uint facing = (kPlaneAxes >> (3u * i)) & 7u;
+  float d = facing > 3u ? -bakedPlanes[i].w : bakedPlanes[i].w;
+  return facing == 0u ? planeHeight(p, bakedPlanes[i]) : d - alongAxis(facing, p);
+}
+
+PlaneTerms bakedPlaneTerms(uint i, Ray ray) {
+  uint facing = (kPlaneAxes >> (3u * i)) & 7u;
+  return facing == 0u ? planeTerms(ray.o, ray.d, bakedPlanes[i]) : PlaneTerms(bakedPlaneHeight(i, ray.o), alongAxis(facing, ray.d));
+}
+
 void nearer(inout Hit hit, float t, uint primitive) {
   bool closer = t < hit.t;
   hit.t = closer ? t : hit.t;
@@ -36,10 +55,10 @@ void hitSpheresAndPlanes(inout Hit hit, Ray ray, Layout l) {
   if (kPlanes) {
     if (kFixedPlanes > 0u) {
       [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i)
-        nearer(hit, hitPlane(ray.o, ray.d, bakedPlanes[i], ray.self == l.plane + i), l.plane + i);
+        nearer(hit, hitPlane(bakedPlaneTerms(i, ray), ray.self == l.plane + i), l.plane + i);
     } else {
       for (uint i = l.plane; i < l.largeSphere; ++i)
-        nearer(hit, hitPlane(ray.o, ray.d, fetchRow(kFirstRow + i), ray.self == i), i);
+        nearer(hit, hitPlane(planeTerms(ray.o, ray.d, fetchRow(kFirstRow + i)), ray.self == i), i);
     }
   }
 }
@@ -104,26 +123,42 @@ bool spheresBlock(Ray ray, float tMax, uint target, Layout l) {
   return blocked;
 }
 
-bool planesBlock(Ray ray, float tMax, Layout l) {
+// Where a shadow ray ends. A light that is a point has a place: a plane is between if that lies on its other side, which needs
+// no direction, and of baked lights and planes is known before the first ray.
+struct ShadowEnd {
+  float t;
+  vec3 place;
+  bool placed;
+};
+
+ShadowEnd unplaced(float t) { return ShadowEnd(t, vec3(0.0), false); }
+
+bool planeBlocks(PlaneTerms q, float endHeight, ShadowEnd end, bool self) {
+  return end.placed ? q.height * endHeight < 0.0 && !self : blocksPlane(q, end.t, self);
+}
+
+bool planesBlock(Ray ray, ShadowEnd end, Layout l) {
   bool blocked = false;
   if (kFixedPlanes > 0u) {
     [[unroll]] for (uint i = 0u; i < kFixedPlanes; ++i) {
-      bool hit = blocksPlane(ray.o, ray.d, tMax, bakedPlanes[i], ray.self == l.plane + i);
+      bool hit = planeBlocks(bakedPlaneTerms(i, ray), bakedPlaneHeight(i, end.place), end, ray.self == l.plane + i);
       blocked = blocked || hit;
     }
   } else {
     for (uint i = l.plane; i < l.largeSphere; ++i) {
-      bool hit = blocksPlane(ray.o, ray.d, tMax, fetchRow(kFirstRow + i), ray.self == i);
+      vec4 plane = fetchRow(kFirstRow + i);
+      bool hit = planeBlocks(planeTerms(ray.o, ray.d, plane), planeHeight(end.place, plane), end, ray.self == i);
       blocked = blocked || hit;
     }
   }
   return blocked;
 }
 
-// Whether anything but the target lies between the ray's origin and tMax.
-bool occluded(Ray ray, float tMax, uint target, Layout l) {
+// Whether anything but the target lies between the ray's origin and its end.
+bool occluded(Ray ray, ShadowEnd end, uint target, Layout l) {
+  float tMax = end.t;
   bool bySphere = kSpheres && !kShapeHierarchy ? spheresBlock(ray, tMax, target, l) : false;
-  bool byPlane = kPlanes ? planesBlock(ray, tMax, l) : false;
+  bool byPlane = kPlanes ? planesBlock(ray, end, l) : false;
   Hit hit = Hit(tMax, NO_PRIMITIVE, 0u);
   hitOtherShapes(hit, ray, target, l);
   bool blocked = bySphere || byPlane || hit.t < tMax;

@@ -29,6 +29,22 @@ Scene planesUnderASpot() {
   return scene;
 }
 
+Scene wallsThatFaceAllAxes() {  // and one that faces none
+  Scene scene = plainScene(4);
+  const Id white = add(scene, lambert(glm::vec3(0.7f)));
+  add(scene, at({0, -2, 0}), Plane{}, plastic(0.3f, {0.3f, 0.6f, 0.4f}));
+  add(scene, at({0, 3, 0}, {1, 0, 0}, pi), Plane{}, white);
+  add(scene, at({-3, 0, 0}, {0, 0, 1}, -pi / 2), Plane{}, lambert({0.8f, 0.2f, 0.2f}));
+  add(scene, at({3, 0, 0}, {0, 0, 1}, pi / 2), Plane{}, white);
+  add(scene, at({0, 0, -3}, {1, 0, 0}, pi / 2), Plane{}, metal(0.2f, {0.9f, 0.8f, 0.6f}));
+  add(scene, at({0, 0, 6}, {1, 0, 0}, -pi / 2), Plane{}, white);
+  add(scene, at({0, 0, -2}, {1, 0.2, 0}, 0.8), Plane{}, lambert({0.2f, 0.3f, 0.8f}));
+  add(scene, at({0, 0, 0}), Sphere{0.8}, plastic(0.2f, {0.8f, 0.5f, 0.2f}));
+  addLight(scene, at({2, 2.5, 2}), PointLight{}, 12.0f);
+  addLight(scene, {{-2, 2, 3}, facing({1, -1, -2}), dvec3(1.0)}, SpotLight{0.3f, 0.8f}, 20.0f);
+  return scene;
+}
+
 Scene planetInTheSun() {
   Scene scene = plainScene(2);
   add(scene, at({0, -6e6 - 1.0, 0}), Sphere{6e6}, lambert(glm::vec3(0.5f)));
@@ -126,6 +142,7 @@ std::vector<FeatureScene> cases() {
   std::vector<FeatureScene> all = featureScenes();
   const FeatureScene basic[] = {{"balls under a lamp", ballsUnderALamp(), frontView()},
                                 {"planes under a spot", planesUnderASpot(), frontView()},
+                                {"walls that face all axes", wallsThatFaceAllAxes(), frontView()},
                                 {"planet in the sun", planetInTheSun(), frontView()},
                                 {"boxes and a glowing rect", boxesAndGlowingRect(), frontView()},
                                 {"turned and stretched", turnedAndStretched(), frontView()},
@@ -184,6 +201,20 @@ TEST_F(VariantsTest, ChangeOfTheSceneFallsBackToAPipelineThatCoversIt) {
   const Image edited = render(scene, view, {32, 32}, 4);  // expects that no sample met a missing feature
   renderer().allowSpecialization(false);
   expectSamePicture(edited, render(scene, view, {32, 32}, 4));
+}
+
+TEST_F(VariantsTest, AWallThatIsTurnedGivesUpThePipelineOfOneThatFacesAnAxis) {
+  Scene scene = wallsThatFaceAllAxes();
+  const CameraView view = aslant(frontView());
+  renderer().allowSpecialization(true);
+  renderer().setScene(scene, view, {32, 32});
+  renderer().waitForSpecialization();
+  render(scene, view, {32, 32}, 4);
+  scene.objects[2].transform.rotation =
+      glm::angleAxis(0.1, dvec3(0, 0, 1)) * scene.objects[2].transform.rotation;
+  const Image turned = render(scene, view, {32, 32}, 4);
+  renderer().allowSpecialization(false);
+  expectSamePicture(turned, render(scene, view, {32, 32}, 4));
 }
 
 TEST_F(VariantsTest, APatientRendererDoesNothingUntilAPipelineIsReadyAndThenTracesTheSame) {

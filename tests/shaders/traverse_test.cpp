@@ -7,6 +7,7 @@
 
 #include "renderer/gpu_scene.hpp"
 #include "renderer/loop_budget.hpp"
+#include "renderer/variants.hpp"
 #include "shaders/kernel_traverse.comp.h"
 #include "tests/renderer/scenes.hpp"
 #include "tests/shaders/kernel.hpp"
@@ -17,7 +18,7 @@ namespace {
 using namespace scenes;
 
 const Kernel traverse{kernel_traverse_spirv, "traverse"};
-constexpr std::uint32_t nearestHit = 0, isBlocked = 1;
+constexpr std::uint32_t nearestHit = 0, isBlocked = 1, isBlockedToPlace = 2;
 
 /// One ray and what it knows.
 struct Question {
@@ -85,6 +86,11 @@ class Traverse : public KernelTest {
   static CameraView viewFrom(const dvec3& place) { return lookAt(place, place + dvec3(0, 0, -1), 1.0); }
 
   static Rows ask(std::uint32_t operation, const GpuScene& scene, const std::vector<Question>& questions) {
+    return ask(operation, scene, rowsOf(questions), false);
+  }
+
+  /// `baked`: as a special pipeline holds spheres and planes.
+  static Rows ask(std::uint32_t operation, const GpuScene& scene, const Rows& questions, bool baked) {
     Task task{.operation = operation,
               .rowsIn = 3,
               .rowsOut = 2,
@@ -93,7 +99,13 @@ class Traverse : public KernelTest {
     for (std::uint32_t i = 0; i < gpu::FEATURE_COUNT; ++i)
       task.constants.emplace_back(i, (scene.features >> i) & 1u);
     task.constants.emplace_back(gpu::CONSTANT_SHAPE_HIERARCHY, scene.shapeHierarchy());
-    return run(traverse, task, rowsOf(questions));
+    const VariantKey key = variantFor(scene, 1);
+    if (baked) {
+      task.constants.emplace_back(gpu::CONSTANT_FIXED_SPHERES, key.fixedSpheres);
+      task.constants.emplace_back(gpu::CONSTANT_FIXED_PLANES, key.fixedPlanes);
+      task.constants.emplace_back(gpu::CONSTANT_PLANE_AXES, key.planeAxes);
+    }
+    return run(traverse, task, questions);
   }
 
   /// Rays from anywhere in the scene and from far outside of it.
@@ -196,6 +208,51 @@ TEST_F(Traverse, shadow_rays_through_the_hierarchy_find_what_those_through_flat_
   EXPECT_LT(lessFarAway, 10u);
   EXPECT_GT(blocked, second.size() / 10);
   EXPECT_LT(blocked, second.size() * 9 / 10);
+}
+
+// Six walls at 3 m, which face all axes both ways, and one aslant beyond a corner.
+Scene closedRoom() {
+  Scene scene = plainScene(1);
+  const Id matt = add(scene, lambert(glm::vec3(0.5f)));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-3.0, 3.0}) {
+      dvec3 up(0.0), place(0.0);
+      up[axis] = -side / 3.0;
+      place[axis] = side;
+      const dvec3 turn = axis == 1 ? dvec3(1, 0, 0) : glm::cross(dvec3(0, 1, 0), up);
+      add(scene, at(place, turn, axis == 1 ? (side > 0 ? pi : 0.0) : pi / 2), Plane{}, matt);
+    }
+  add(scene, at({4, -4, 4}, {1, 0, -1}, 2.2), Plane{}, matt);
+  return scene;
+}
+
+TEST_F(Traverse, lights_a_digit_before_a_wall_shine_into_the_room_and_those_a_digit_behind_do_not) {
+  const GpuScene scene = packScene(closedRoom(), viewFrom(dvec3(0)), {8, 8});
+  ASSERT_EQ(scene.params.planeCount, 7u);
+  Random random(15);
+  Rows questions;
+  std::vector<bool> behind;
+  for (int i = 0; i < 60000; ++i) {
+    const auto inside = [&] {
+      return glm::vec3(2.999 * dvec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)));
+    };
+    glm::vec3 place = inside();
+    float& height = place[i % 3];
+    const float wall = i % 2 ? 3.0f : -3.0f;
+    behind.push_back(i % 4 < 2);
+    height = wall;
+    for (int digit = 0; digit <= i % 5; ++digit)
+      height = std::nextafter(height, behind.back() ? 2.0f * wall : 0.0f);
+    questions.emplace_back(inside(), 0.0f);
+    questions.emplace_back(place, 0.0f);
+    questions.emplace_back(-1.0f, -1.0f, 0.0f, 0.0f);
+  }
+  for (const bool baked : {false, true}) {
+    const Rows answers = ask(isBlockedToPlace, scene, questions, baked);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < behind.size(); ++i) wrong += (answers[2 * i].x != 0.0f) != behind[i];
+    EXPECT_EQ(wrong, 0u) << (baked ? "baked" : "counted");
+  }
 }
 
 TEST_F(Traverse, shapes_that_coincide_are_met_in_the_order_of_the_list) {

@@ -18,7 +18,7 @@ void main() {
   float t = 0.0;
   if (kOperation == 0u) t = hitSphere(a.xyz, b.xyz, row0.xyz, row0.w, self, inside);
   else if (kOperation == 1u) t = hitLargeSphere(a.xyz, b.xyz, row0, row1, self, inside);
-  else if (kOperation == 2u) t = hitPlane(a.xyz, b.xyz, row0, self);
+  else if (kOperation == 2u) t = hitPlane(planeTerms(a.xyz, b.xyz, row0), self);
   else if (kOperation == 3u) t = hitBox(ray, self, inside);
   else if (kOperation == 4u) t = hitRect(ray, self);
   else if (kOperation == 5u) t = hitDisk(ray, self);

@@ -21,7 +21,7 @@ vec4 roundShape(uint operation, vec4 a, vec4 b, vec4 c, vec4 d, vec4 e) {
   float t = INFINITE;
   if (operation == 0u) t = hitSphere(a.xyz, b.xyz, c.xyz, c.w, false, false);
   if (operation == 1u) t = hitLargeSphere(a.xyz, b.xyz, c, d, false, false);
-  if (operation == 2u) t = hitPlane(a.xyz, b.xyz, c, false);
+  if (operation == 2u) t = hitPlane(planeTerms(a.xyz, b.xyz, c), false);
   if (operation == 3u) t = hitBox(ray, false, false);
   if (operation == 4u) t = hitCylinder(ray, false, false);
   if (operation == 5u) t = hitEllipsoid(ray, false, false);
