@@ -9,10 +9,15 @@ namespace steradian {
 using namespace gpu;
 
 ErrorMeter::ErrorMeter(const Device& device)
-    : device_(device), pass_(device, meterSpirv(), {}, "meter"), commands_(device, QueueKind::compute) {}
+    : device_(device),
+      level_(device, levelSpirv(), {}, "level"),
+      pass_(device, meterSpirv(), {}, "meter"),
+      commands_(device, QueueKind::compute) {}
 
 MeterReading ErrorMeter::read(const Film& film, bool errorMeter, double clampRadiance) {
   commands_.run([&](const auto& cmd) {
+    computeToCompute(cmd);
+    level_.dispatch(cmd, film.bindings(), film.params(errorMeter), film.meterGroups(), 1);
     computeToCompute(cmd);
     pass_.dispatch(cmd, film.bindings(), film.params(errorMeter), film.meterGroups(), 1);
   });

@@ -9,7 +9,7 @@ namespace steradian {
 
 struct MeterReading {
   double meanSquare = 0.0;          // of the joint mean's error, over pixels and channels
-  double meanRelativeSquare = 0.0;  // divided by mean^2 + 0.01
+  double meanRelativeSquare = 0.0;  // divided by light^2 + 0.01 (relative_error.glsl)
   std::uint64_t nan = 0, faults = 0, raysClosest = 0, raysShadow = 0;
   double clampedShare = 0.0;  // of the light, by luminance: cut off by clamping / (cut off + kept)
 };
@@ -22,7 +22,7 @@ class ErrorMeter {
 
  private:
   const gpu::Device& device_;
-  gpu::ComputePass pass_;
+  gpu::ComputePass level_, pass_;
   gpu::Commands commands_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/film.hpp"
 
+#include "renderer/relative_error.hpp"
+
 namespace steradian {
 
 using namespace gpu;
@@ -12,13 +14,14 @@ double samplesOnAverage(const FilmProgress& p, int height) {
 Film::Film(const Device& device, Extent extent) : device_(device), extent_(extent) {
   const std::size_t bytes = pixels() * 16;
   for (Buffer& b : buffers_) b = Buffer(device, BufferKind::film, bytes, "film");
+  levels_ = Buffer(device, BufferKind::deviceLocal, bytes, "light of the pixels");
   partials_ = Buffer(device, BufferKind::deviceLocal, meterPartials() * METER_ROWS * 16, "error meter");
   picked_ = Buffer(device, BufferKind::deviceLocal, PICK_ROWS * 16, "pick");
   counters_ = Buffer(device, BufferKind::deviceLocal, COUNTERS * 4, "counters");
 }
 
 void Film::bind(const TexelBuffers& scene) {
-  const Buffer* const written[] = {nullptr, nullptr, nullptr, nullptr, nullptr, &partials_, &picked_};
+  const Buffer* const written[] = {nullptr, nullptr, nullptr, &levels_, nullptr, &partials_, &picked_};
   TexelBuffers read = scene;
   read.film = texels();
   bindings_.emplace(device_, read, written);
@@ -56,7 +59,7 @@ FilmParams Film::params(bool errorMeter) const {
   p.aheadB = halfRange(progress.begin, progress.passEnd, 1, errorMeter).count();
   p.samplesA = halfRange(progress.begin, progress.done, 0, errorMeter).count();
   p.samplesB = halfRange(progress.begin, progress.done, 1, errorMeter).count();
-  p.relativeFloor = 0.01f;
+  p.relativeFloor = float(kRelativeFloor);
   p.filmUnit = unit_;
   return p;
 }

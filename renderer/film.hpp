@@ -37,7 +37,7 @@ class Film {
 
   Extent extent() const { return extent_; }
   std::size_t pixels() const { return std::size_t(extent_.width) * extent_.height; }
-  /// The whole film as texels, meter and pick results at 6 and 7.
+  /// The whole film as texels, levels, meter and pick results at 4, 6 and 7.
   const gpu::Bindings& bindings() const { return *bindings_; }
   /// What path_trace.comp sees: one half's digits at 1..3, the counters at 5.
   const gpu::Bindings& halfBindings(int half) const { return halfBindings_[half]; }
@@ -62,7 +62,7 @@ class Film {
   Extent extent_;
   float unit_ = 1.0f;
   std::array<gpu::Buffer, gpu::filmBuffers> buffers_;
-  gpu::Buffer partials_, picked_, counters_;
+  gpu::Buffer levels_, partials_, picked_, counters_;
   std::optional<gpu::Bindings> bindings_;
   std::vector<gpu::Bindings> halfBindings_;
 };

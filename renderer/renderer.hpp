@@ -71,7 +71,7 @@ struct ErrorTails {
 /// How wrong the picture still is, from the two half-buffers (accuracy: image-level figures only).
 struct ErrorEstimate {
   double rmse = 0.0;     // scene-linear, over pixels and channels
-  double relRmse = 0.0;  // sqrt(mean((estimate - truth)^2 / (estimate^2 + 0.01)))
+  double relRmse = 0.0;  // sqrt(mean((estimate - truth)^2 / (truth^2 + 0.01))), by relative_error.hpp
   double slope = 0.0;    // d log RMSE / d log samples over the last doublings; 0 = not known yet
   bool valid = false;    // both halves hold samples
   int doublings = 0;     // of the sample count that the slope stands on

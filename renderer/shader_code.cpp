@@ -10,6 +10,7 @@ namespace {
 #include "shaders/display.glsl.text.h"
 #include "shaders/display.vert.h"
 #include "shaders/gpu_types.h.text.h"
+#include "shaders/level.comp.h"
 #include "shaders/meter.comp.h"
 #include "shaders/path_trace.comp.h"
 #include "shaders/pick.comp.h"
@@ -21,6 +22,9 @@ std::span<const std::uint32_t> pathTraceSpirv() {
 }
 std::span<const std::uint32_t> resolveSpirv() {
   return resolve_comp_spirv;
+}
+std::span<const std::uint32_t> levelSpirv() {
+  return level_comp_spirv;
 }
 std::span<const std::uint32_t> meterSpirv() {
   return meter_comp_spirv;

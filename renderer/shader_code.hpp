@@ -9,6 +9,7 @@ namespace steradian {
 
 std::span<const std::uint32_t> pathTraceSpirv();
 std::span<const std::uint32_t> resolveSpirv();
+std::span<const std::uint32_t> levelSpirv();
 std::span<const std::uint32_t> meterSpirv();
 std::span<const std::uint32_t> pickSpirv();
 std::span<const std::uint32_t> aovSpirv();

@@ -223,13 +223,13 @@ struct TraceParams {
   uint pickX, pickY;    // pick.comp only
 };
 
-// Push constants of resolve.comp and meter.comp.
+// Push constants of resolve.comp, level.comp and meter.comp.
 struct FilmParams {
   uint width, height;
   uint splitPixel;          // pixels before it already hold the pass in progress
   uint aheadA, aheadB;      // samples of each half in those
   uint samplesA, samplesB;  // and in the others
-  float relativeFloor;      // 0.01: relMSE = d^2 / (mean^2 + floor)
+  float relativeFloor;      // 0.01: relMSE = d^2 / (light^2 + floor)
   float filmUnit;           // radiance, a power of two (renderer/film_unit.hpp)
 };
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "editor/part/exact_sum.hpp"
+#include "renderer/relative_error.hpp"
 
 namespace steradian {
 
@@ -171,15 +172,14 @@ ErrorEstimate errorOf(const Part& part) {
     addTerms(sum, part.terms[half], i);
     return sum.rounded();
   };
-  double square = 0.0, relative = 0.0;
+  std::vector<double> means(values), variances(values);
   for (std::size_t i = 0; i < values; ++i) {
-    const double a = total(0, i), b = total(1, i), mean = (a + b) / (nA + nB);
-    const double d2 = (a / nA - b / nB) * (a / nA - b / nB) * share;
-    square += d2;
-    relative += d2 / (mean * mean + 0.01);
+    const double a = total(0, i), b = total(1, i), difference = a / nA - b / nB;
+    means[i] = (a + b) / (nA + nB);
+    variances[i] = difference * difference * share;
   }
-  error.rmse = std::sqrt(square / double(values));
-  error.relRmse = std::sqrt(relative / double(values));
+  error.rmse = std::sqrt(std::accumulate(variances.begin(), variances.end(), 0.0) / double(values));
+  error.relRmse = std::sqrt(meanRelativeSquare({part.width, part.height}, means, variances));
   return error;
 }
 

@@ -125,6 +125,16 @@ TEST(Part, knows_its_error_from_the_halves) {
   EXPECT_FALSE(errorOf(partOf(sumsOf(0, 4, false), origin())).valid);
 }
 
+TEST(Part, does_not_let_a_lucky_pixel_excuse_its_error) {
+  FilmSums sums = sumsOf(0, 4);
+  sums.unit = 2.0;  // means are the high digits
+  for (const int half : {0, 1}) std::fill(sums.sums[half].begin(), sums.sums[half].end(), FilmSum{0, 0, 1});
+  for (int channel = 0; channel < 3; ++channel) sums.sums[1][std::size_t(channel)].high = 101;
+  const ErrorEstimate error = errorOf(partOf(sums, origin()));
+  // The first pixel's halves are 1 and 101, all around it is 1: an error of 50 over a light of 1
+  EXPECT_NEAR(error.relRmse, std::sqrt(2500.0 / 1.01 / (kWidth * kHeight)), 1e-6);
+}
+
 TEST(Part, refuses_overlaps_and_gaps_by_name_and_range) {
   EXPECT_TRUE(
       contains(refusal({part(0, 8), part(7, 16)}), "a.exr (0:8) and b.exr (7:16) hold the same samples"));
