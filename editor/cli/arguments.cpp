@@ -10,6 +10,8 @@ namespace steradian::cli {
 
 namespace {
 
+constexpr double kLongestSeconds = 366.0 * 24.0 * 3600.0;
+
 /// The whole of `text` as a number, or nothing; independent of the locale.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
@@ -73,11 +75,18 @@ void parseUntil(const std::string& text, StillRequest& request) {
   const auto value = view.rfind("rel=", 0) == 0    ? fraction(view.substr(4))
                      : view.rfind("time=", 0) == 0 ? seconds(view.substr(5))
                                                    : std::nullopt;
-  if (!value || !(*value > 0.0)) reject("--until", text, "rel=1%, rel=0.01, time=30s, time=2m or time=1h");
-  if (view.front() == 'r')
+  const bool timed = view.rfind("time=", 0) == 0;
+  if (!value || !(*value > 0.0) || (timed && *value > kLongestSeconds))
+    reject("--until", text, "rel=1%, rel=0.01, time=30s, time=2m or time=1h, a year at most");
+  if (!timed)
     request.untilRelRmse = std::max(*value, request.untilRelRmse.value_or(*value));
   else
     request.untilSeconds = std::min(*value, request.untilSeconds.value_or(*value));
+}
+
+std::string aboveZero(const std::string& text) {
+  const auto value = number<double>(text);
+  return value && *value > 0.0 ? "" : "'" + text + "' is not valid; expected a number above 0";
 }
 
 std::pair<std::string, double> parseParameter(const std::string& text) {

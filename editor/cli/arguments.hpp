@@ -20,6 +20,9 @@ std::pair<std::uint64_t, std::uint64_t> parseSampleRange(const std::string& text
 /// first counts.
 void parseUntil(const std::string& text, StillRequest& request);
 
+/// For CLI11's check(): nothing when `text` is a number above 0, else what is wrong with it.
+std::string aboveZero(const std::string& text);
+
 std::pair<std::string, double> parseParameter(const std::string& text);  // "white=4"
 
 }  // namespace steradian::cli

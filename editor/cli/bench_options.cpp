@@ -89,13 +89,13 @@ std::function<int()> addBenchOptions(CLI::App& command, const std::vector<std::s
       ->check(CLI::Range(0, 64));
   command.add_option("--runs", o.runs, "Interleaved runs, of which the median is reported")
       ->check(CLI::Range(1, 1000));
-  command.add_option("--seconds", o.secondsPerRun, "Tracing time of one run")->check(CLI::PositiveNumber);
+  command.add_option("--seconds", o.secondsPerRun, "Tracing time of one run")->check(cli::aboveZero);
   command.add_option("--target", o.targets, "Relative RMSE to reach, e.g. 0.01; repeatable")
-      ->check(CLI::PositiveNumber)
+      ->check(cli::aboveZero)
       ->allow_extra_args(false);
   command.add_flag("--no-target", arguments->noTargets, "Do not measure the time to an error");
   command.add_option("--limit", o.targetSecondsLimit, "Longest time to an error, seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(cli::aboveZero);
   command.add_flag("--no-first-pixel", arguments->skipFirstPixel,
                    "Do not measure the time to the first pixel");
   command.add_option("--first-pixel", arguments->firstPixel)->group("");  // how the bench starts itself

@@ -65,8 +65,9 @@ void addCompare(CLI::App& app, Command& chosen) {
       ->add_option("--fail-above", options->failAbove,
                    "End with 1 when a figure is larger, e.g. relRmse=0.01; repeatable")
       ->allow_extra_args(false);
-  command->add_flag("--json", options->json, "Machine-readable output");
   const auto verify = addVerifyOptions(*command);
+  command->add_flag("--json", options->json, "Machine-readable output, of the difference of two images")
+      ->excludes("--verify-pixel");
   command->callback([options, verify, &chosen] {
     chosen = [options, verify] {
       return verify->pixels.empty() ? runCompare(*options) : runVerify(*verify, options->image);

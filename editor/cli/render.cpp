@@ -131,7 +131,7 @@ void addSceneOptions(CLI::App& command, RenderOptions& o) {
 }
 
 void addSamplingOptions(CLI::App& command, RenderOptions& o) {
-  command.add_option("--spp", o.spp, "Samples per pixel")->check(CLI::PositiveNumber);
+  command.add_option("--spp", o.spp, "Samples per pixel")->check(aboveZero);
   command
       .add_option("--until", o.until,
                   "Stop at rel=1% (relative RMSE) or time=30s; repeatable, the first that is met ends it "

@@ -180,7 +180,7 @@ void addReport(CLI::App& app, Command& chosen) {
   command
       ->add_option("--seconds", m.seconds,
                    "Tracing time for each scene, reference included; fewer samples are taken to keep it")
-      ->check(CLI::PositiveNumber)
+      ->check(aboveZero)
       ->capture_default_str();
   command->add_option("--runs", m.runs, "Runs with different seeds, of which medians are reported")
       ->check(CLI::Range(1, 1000))

@@ -58,8 +58,14 @@ TEST(Arguments, the_until_that_is_met_first_counts) {
 
 TEST(Arguments, until_refuses_what_it_does_not_understand) {
   for (const char* bad : {"", "1%", "rel=", "rel=0", "rel=-1%", "rel=nan", "time=", "time=s", "time=0s",
-                          "time=inf", "spp=4", "rel=1%%"})
+                          "time=inf", "time=1e99s", "time=9000h", "spp=4", "rel=1%%"})
     expectUsageError(bad, [](const char* text) { until({text}); });
+}
+
+TEST(Arguments, what_must_be_above_zero_says_so) {
+  for (const char* good : {"1", "0.01", "1e-9"}) EXPECT_EQ(aboveZero(good), "");
+  for (const char* bad : {"", "0", "-1", "many", "nan", "inf", "1 "})
+    EXPECT_EQ(aboveZero(bad), "'" + std::string(bad) + "' is not valid; expected a number above 0");
 }
 
 TEST(Arguments, parameters_are_an_id_and_a_number) {

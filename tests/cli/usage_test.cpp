@@ -43,9 +43,11 @@ TEST(Usage, mistakes_in_the_command_line_end_with_2) {
   expectOneLine(sandbox.run({"--device", "0", "devices"}), 2, "before 'devices'");
   expectOneLine(sandbox.run({"render", hello}), 2, "--output");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--nonsense"}), 2, "--nonsense");
-  expectOneLine(sandbox.run({"render", hello, "-o", out, "--spp", "0"}), 2, "spp");
+  expectOneLine(sandbox.run({"render", hello, "-o", out, "--spp", "0"}), 2,
+                "--spp: '0' is not valid; expected a number above 0");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--size", "10"}), 2, "--size");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--until", "soon"}), 2, "--until");
+  expectOneLine(sandbox.run({"compare", hello, "--verify-pixel", "1,1", "--json"}), 2, "--verify-pixel");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--bounces", "65"}), 2, "maxBounces");
   expectOneLine(sandbox.run({"render", hello, "-o", out, "--param", "nonsense=1"}), 2, "nonsense");
   expectOneLine(sandbox.run({"render", hello, "-o", sandbox.path("a.xyz")}), 2, ".exr");
