@@ -65,8 +65,8 @@ FilmParams Film::params(bool errorMeter) const {
 }
 
 std::uint32_t Film::meterGroups() const {
-  constexpr std::uint32_t perGroup = METER_GROUP * METER_PIXELS;
-  return std::uint32_t((pixels() + perGroup - 1) / perGroup);
+  const auto parts = [](int size, std::uint32_t each) { return (std::uint32_t(size) + each - 1) / each; };
+  return parts(extent_.width, METER_GROUP) * parts(extent_.height, METER_PIXELS);
 }
 
 HalfRange halfRange(std::uint64_t begin, std::uint64_t end, int half, bool errorMeter) {
