@@ -23,8 +23,7 @@ struct Lobes {
   bool thin;             // sheet: passes without bending
   float coat;            // weight of a coat of F0 = 0.04
   float coatAlpha;
-  float chance;          // to sample the facets' reflection,
-  float transmitChance;  // what passes them,
+  float chance;          // to sample the facets,
   float coatChance;      // the coat; the diffuse lobe has the rest
 };
 
@@ -46,7 +45,6 @@ Lobes noLobes() {
   lobes.coat = 0.0;
   lobes.coatAlpha = 1.0;
   lobes.chance = 0.0;
-  lobes.transmitChance = 0.0;
   lobes.coatChance = 0.0;
   return lobes;
 }
@@ -91,9 +89,20 @@ bool passesUnscattered(Lobes lobes) {
   return lobes.alpha < MIRROR_ALPHA || (!lobes.thin && lobes.alpha * abs(lobes.eta - 1.0) < 1e-5);
 }
 
+// Chance of a sampled facet to let light pass instead of mirroring it: its own share, so that weights stay near 1 however
+// often light goes round in rough glass (Walter et al. 2007, 5.3). Beams are chosen by the mean facet, as they have no
+// other. cosine and passing: to the facet, and 1 - glassReflectance there.
+float passedShare(Lobes lobes, float cosO, float cosine, float passing, LobeKinds kinds) {
+  bool beam = passesUnscattered(lobes);
+  float met = beam ? cosO : cosine;
+  float passes = beam ? 1.0 - glassReflectance(lobes, cosO) : passing;
+  float mirrored = luminance(facetReflectance(lobes, met, pow5(1.0 - met), 1.0 - passes, kinds));
+  float passed = luminance(lobes.transmit) * passes;
+  return passed > 0.0 ? passed / (passed + mirrored) : 0.0;
+}
+
 float diffuseChance(Lobes lobes, LobeKinds kinds) {
   float rest = 1.0 - lobes.chance;
-  if (kinds.transmission) rest -= lobes.transmitChance;
   if (kinds.coat) rest -= lobes.coatChance;
   return max(rest, 0.0);
 }
@@ -139,7 +148,8 @@ BsdfValue transmittedValue(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
   if (lobes.thin) through /= 2.0 - through;  // 1 - sheetReflectance
   bool beam = passesUnscattered(lobes);
   vec3 passed = lobes.transmit * (through * fCos);
-  return BsdfValue(beam ? vec3(0.0) : passed, beam ? 0.0 : lobes.transmitChance * pdf);
+  float chance = lobes.chance * passedShare(lobes, wo.z, cosO, through, kinds);
+  return BsdfValue(beam ? vec3(0.0) : passed, beam ? 0.0 : chance * pdf);
 }
 
 // wo above the horizon; wi below it is transmission.
@@ -162,7 +172,9 @@ BsdfValue evalBsdf(Lobes lobes, vec3 wo, vec3 wi, LobeKinds kinds) {
     FacetValue facets = reflectingFacets(h, length2, wo.z, wi.z, lobes.alpha);
     if (kinds.allNormals) facets.pdf = reflectingDensityOfAll(h, length2, lobes.alpha);
     fCos += facetReflectance(lobes, cosH, grazing, glass, kinds) * facets.fCos;
-    pdf += lobes.chance * facets.pdf;
+    float chance = lobes.chance;
+    if (kinds.transmission) chance *= 1.0 - passedShare(lobes, wo.z, cosH, 1.0 - glass, kinds);
+    pdf += chance * facets.pdf;
   }
   if (kinds.coat) {
     FacetValue facets = reflectingFacets(h, length2, wo.z, wi.z, lobes.coatAlpha);

@@ -5,36 +5,28 @@
 #include "bsdf.glsl"
 #include "sampling.glsl"
 
-// Chances by the lobes' share of the reflectance seen from wo, kept away from 0 and 1 where the share is a guess.
-Lobes withChances(Lobes lobes, float cosO, LobeKinds kinds) {
+// Chances by the lobes' share of the reflectance seen from wo, at least `least` where the share is a guess. glass: share of
+// what glass gives back that it mirrors.
+Lobes withChances(Lobes lobes, float cosO, float glass, float least, LobeKinds kinds) {
   float grazing = pow5(1.0 - cosO);
   float f90 = luminance(lobes.f90);
   float f0 = luminance(lobes.f0);
   float specular = f0 + (f90 - f0) * grazing;  // mix() may be rounded in another way in another variant
   float passed = 0.0;
   if (kinds.transmission) {
-    float glass = glassReflectance(lobes, cosO);
     specular += lobes.exact * glass;
     f90 += lobes.exact;
     passed = luminance(lobes.transmit) * (1.0 - glass);
   }
   float diffuse = kinds.diffuse ? luminance(lobes.diffuse) : 0.0;
-  float mixed = clamp(specular / (specular + diffuse), 0.1, 0.9);
+  float facets = specular + passed;
+  float mixed = clamp(facets / (facets + diffuse), least, 1.0 - least);
   lobes.chance = diffuse <= 0.0 ? 1.0 : (f90 <= 0.0 ? 0.0 : mixed);
-  if (kinds.transmission) {
-    // The share of smooth glass is exact, and total reflection leaves none.
-    float least = passesUnscattered(lobes) ? 0.0 : 0.1;
-    float share = passed / max(passed + specular + diffuse, 1e-30);
-    bool passes = luminance(lobes.transmit) > 0.0;
-    lobes.transmitChance = passes ? clamp(share, least, 1.0 - least) : 0.0;
-    lobes.chance *= 1.0 - lobes.transmitChance;
-  }
   if (kinds.coat) {
     float coat = coatReflectance(lobes.coat, grazing);
-    float share = coat / max(coat + passed + specular + diffuse, 1e-30);
+    float share = coat / max(coat + facets + diffuse, 1e-30);
     lobes.coatChance = coat > 0.0 ? clamp(share, 0.1, 0.9) : 0.0;
     lobes.chance *= 1.0 - lobes.coatChance;
-    lobes.transmitChance *= 1.0 - lobes.coatChance;
   }
   return lobes;
 }
@@ -56,64 +48,74 @@ vec3 refracted(vec3 wo, vec3 h, float eta) {
 
 // The lobe that u falls into, and u stretched over it.
 struct LobeChoice {
-  bool specular;
-  bool passed;
+  bool facets;
   bool coat;
   float u;
 };
 
 LobeChoice chooseLobe(Lobes lobes, float u, LobeKinds kinds) {
-  bool specular = u < lobes.chance;
-  bool passed = false;
+  bool facets = u < lobes.chance;
   bool coat = false;
-  float begin = specular ? 0.0 : lobes.chance;
-  float width = specular ? lobes.chance : diffuseChance(lobes, kinds);
-  float end = 1.0;
+  float begin = facets ? 0.0 : lobes.chance;
+  float width = facets ? lobes.chance : diffuseChance(lobes, kinds);
   if (kinds.coat) {
-    end -= lobes.coatChance;
-    coat = !specular && u >= end;
+    float end = 1.0 - lobes.coatChance;
+    coat = !facets && u >= end;
     begin = coat ? end : begin;
     width = coat ? lobes.coatChance : width;
   }
-  if (kinds.transmission) {
-    float first = end - lobes.transmitChance;
-    passed = !specular && !coat && u >= first && lobes.transmitChance > 0.0;
-    begin = passed ? first : begin;
-    width = passed ? lobes.transmitChance : width;
-  }
-  return LobeChoice(specular, passed, coat, clamp((u - begin) / max(width, 1e-6), 0.0, 0.99999994));
+  return LobeChoice(facets, coat, clamp((u - begin) / max(width, 1e-6), 0.0, 0.99999994));
 }
 
-// Direction by a facet visible from wo.
-vec3 sampleFacets(Lobes lobes, LobeChoice choice, vec3 wo, CosSin azimuth, LobeKinds kinds) {
+// A facet visible from wo, of any length.
+vec3 sampleFacet(Lobes lobes, LobeChoice choice, vec3 wo, CosSin azimuth, LobeKinds kinds) {
   float alpha = kinds.coat && choice.coat ? lobes.coatAlpha : lobes.alpha;
   vec3 h = visibleNormal(wo, alpha, ggxA(wo.z, alpha), azimuth.c, azimuth.s, choice.u);
   if (kinds.allNormals) h = anyNormal(alpha, azimuth.c, azimuth.s, choice.u);
+  return h;
+}
+
+// Whether it lets light pass, by w in [0, 1).
+bool facetPasses(Lobes lobes, vec3 wo, vec3 h, float w, LobeKinds kinds) {
+  float cosine = min(abs(dot(wo, h)) * inversesqrt(dot(h, h)), 1.0);
+  return w < passedShare(lobes, wo.z, cosine, 1.0 - glassReflectance(lobes, cosine), kinds);
+}
+
+// Where it sends light.
+vec3 facetDirection(Lobes lobes, vec3 wo, vec3 h, bool passes, LobeKinds kinds) {
   vec3 wi = h * (2.0 * dot(wo, h) / dot(h, h)) - wo;
   if (kinds.transmission) {
     vec3 passed = lobes.thin ? vec3(wi.x, wi.y, -wi.z) : refracted(wo, h, lobes.eta);
     // Through a facet that is not seen nothing passes: to the wrong side, where it counts as lost.
     if (kinds.allNormals && dot(wo, h) <= 0.0) passed = vec3(0.0, 0.0, 1.0);
-    wi = choice.passed ? passed : wi;
+    wi = passes ? passed : wi;
   }
   return wi;
 }
 
+// A direction, and the lobe that it was drawn from.
+struct BsdfDraw {
+  LobeChoice choice;
+  bool passed;  // through the facets
+  vec3 wi;
+};
+
 // Replaces a sample of a lobe of zero width.
-BsdfSample sampleBeams(BsdfSample made, Lobes lobes, LobeChoice choice, vec3 wo, LobeKinds kinds) {
+BsdfSample sampleBeams(BsdfSample made, Lobes lobes, BsdfDraw drawn, vec3 wo, LobeKinds kinds) {
   float glass = kinds.transmission ? glassReflectance(lobes, wo.z) : 0.0;
+  float share = kinds.transmission ? passedShare(lobes, wo.z, wo.z, 1.0 - glass, kinds) : 0.0;
   if (kinds.mirror) {
-    bool mirror = choice.specular && lobes.alpha < MIRROR_ALPHA;
-    vec3 ideal = facetReflectance(lobes, wo.z, pow5(1.0 - wo.z), glass, kinds) / max(lobes.chance, 1e-6);
+    bool mirror = drawn.choice.facets && !drawn.passed && lobes.alpha < MIRROR_ALPHA;
+    vec3 ideal = facetReflectance(lobes, wo.z, pow5(1.0 - wo.z), glass, kinds) / max(lobes.chance * (1.0 - share), 1e-6);
     made.wi = mirror ? vec3(-wo.x, -wo.y, wo.z) : made.wi;
     made.weight = mirror ? ideal : made.weight;
     made.pdf = mirror ? 0.0 : made.pdf;
   }
   if (kinds.transmission) {
-    bool beam = choice.passed && passesUnscattered(lobes);
+    bool beam = drawn.passed && passesUnscattered(lobes);
     vec3 wi = lobes.thin ? vec3(-wo.x, -wo.y, -wo.z) : refracted(wo, vec3(0.0, 0.0, 1.0), lobes.eta);
     float compressed = lobes.thin ? 1.0 : 1.0 / (lobes.eta * lobes.eta);
-    vec3 ideal = lobes.transmit * ((1.0 - glass) * compressed / max(lobes.transmitChance, 1e-6));
+    vec3 ideal = lobes.transmit * ((1.0 - glass) * compressed / max(lobes.chance * share, 1e-6));
     made.wi = beam ? wi : made.wi;
     made.weight = beam ? ideal : made.weight;
     made.pdf = beam ? 0.0 : made.pdf;
@@ -121,22 +123,21 @@ BsdfSample sampleBeams(BsdfSample made, Lobes lobes, LobeChoice choice, vec3 wo,
   return made;
 }
 
-// A direction, and the lobe that it was drawn from.
-struct BsdfDraw {
-  LobeChoice choice;
-  vec3 wi;
-};
-
-// One-sample mixture of cosine and visible-normal sampling; (u, v) in [0, 1)^2, u also chooses the lobe.
-BsdfDraw drawBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
+// One-sample mixture of cosine and visible-normal sampling; (u, v, w) in [0, 1)^3, u also chooses the lobe, and w what
+// facets do that both mirror and let pass.
+BsdfDraw drawBsdf(Lobes lobes, vec3 wo, float u, float v, float w, LobeKinds kinds) {
   LobeChoice choice = chooseLobe(lobes, u, kinds);
   CosSin azimuth = cosSinTurn(v);
   vec3 wi = kinds.diffuse ? cosineHemisphere(azimuth.c, azimuth.s, choice.u * diffuseRange(lobes, kinds)) : vec3(0.0, 0.0, 1.0);
+  vec3 h = vec3(0.0, 0.0, 1.0);
+  bool passed = false;
+  if (kinds.glossy || kinds.coat) h = sampleFacet(lobes, choice, wo, azimuth, kinds);
+  if (kinds.transmission) passed = choice.facets && facetPasses(lobes, wo, h, w, kinds);
   if (kinds.glossy || kinds.coat) {
-    vec3 mirrored = sampleFacets(lobes, choice, wo, azimuth, kinds);
-    wi = choice.specular || choice.passed || choice.coat ? mirrored : wi;
+    vec3 sent = facetDirection(lobes, wo, h, passed, kinds);
+    wi = choice.facets || choice.coat ? sent : wi;
   }
-  return BsdfDraw(choice, wi);
+  return BsdfDraw(choice, passed, wi);
 }
 
 BsdfSample weighDraw(Lobes lobes, BsdfDraw drawn, vec3 wo, LobeKinds kinds) {
@@ -145,16 +146,16 @@ BsdfSample weighDraw(Lobes lobes, BsdfDraw drawn, vec3 wo, LobeKinds kinds) {
   BsdfSample made = BsdfSample(drawn.wi, weight, value.pdf);
   if (kinds.transmission) {
     // A facet may send light to the side that its lobe does not own.
-    bool lost = (drawn.wi.z < 0.0) != drawn.choice.passed;
+    bool lost = (drawn.wi.z < 0.0) != drawn.passed;
     made.weight = lost ? vec3(0.0) : made.weight;
     made.pdf = lost ? 0.0 : made.pdf;
   }
-  if (kinds.mirror || kinds.transmission) made = sampleBeams(made, lobes, drawn.choice, wo, kinds);
+  if (kinds.mirror || kinds.transmission) made = sampleBeams(made, lobes, drawn, wo, kinds);
   return made;
 }
 
-BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, LobeKinds kinds) {
-  return weighDraw(lobes, drawBsdf(lobes, wo, u, v, kinds), wo, kinds);
+BsdfSample sampleBsdf(Lobes lobes, vec3 wo, float u, float v, float w, LobeKinds kinds) {
+  return weighDraw(lobes, drawBsdf(lobes, wo, u, v, w, kinds), wo, kinds);
 }
 
 #endif

@@ -141,6 +141,8 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
   float gain = 0.0;      // by multiple scattering, times F0
   float glassGain = 1.0; // the same for what glass reflects and passes, which keep their proportion
   float reflected = 0.0; // albedo of the dielectric's facets, for the diffuse lobe below them
+  float mirrored = kTransmission ? glassReflectance(lobes, cosO) : 0.0;  // by glass, of what it gives back
+  float least = 0.1;     // chance of a lobe
   if (kCompensation) {
     TableCell cell = tableCell(m.alpha, cosO);
     FacetAlbedo albedo = facetAlbedo(m.alpha, cosO, cell);
@@ -150,7 +152,12 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
     if (kTransmission && glass && compensated()) {
       uint table = floatBitsToUint(fetchRow(row + 4u).w);
       glassGain = 1.0 / glassAlbedo(lobes, table, cell, albedo, inside);
-      if (kDiffuse) reflected = glassReflectedShare(lobes, table, cosO, inside);
+      if (kDiffuse) {
+        // With the shares known, light that goes round in a solid keeps its weight.
+        mirrored = glassReflectedShare(lobes, table, cosO, inside);
+        reflected = mirrored;
+        least = 0.01;
+      }
     }
     reflected = compensated() ? reflected : 0.0;
   }
@@ -177,7 +184,7 @@ Lobes lobesAt(SurfaceMaterial m, uint primitive, float cosO, bool inside, bool t
   bool facets = kGlossy || kMirror || kTransmission || kClearcoat;
   bool several = kTransmission || kClearcoat || (kDiffuse && facets);
   lobes.chance = facets ? 1.0 : 0.0;
-  return several ? withChances(lobes, cosO, lobeKinds()) : lobes;
+  return several ? withChances(lobes, cosO, mirrored, least, lobeKinds()) : lobes;
 }
 
 #endif

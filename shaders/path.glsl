@@ -61,6 +61,9 @@ SamplePair pairAt(uint seed, uint index, uint dimension) {
   return samplePair(seed, index, dimension);
 }
 
+// Whether a facet of glass mirrors or lets pass at this bounce: a number of its own, as the pair has drawn the facet.
+float facetNumber(uint seed, uint index, uint bounce) { return kTransmission ? pairAt(seed, index, 0x1001u + bounce).x : 0.0; }
+
 // Pairs of the light samples at one vertex: `slot` counts them, the environment has the last.
 SamplePair lightPair(Vertex v, uint slot) { return pairAt(v.seed, v.index, 0x2000u + v.bounce * 64u + slot); }
 

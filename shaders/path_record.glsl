@@ -63,7 +63,7 @@ vec3 reflectedLight(Vertex v, LightChoice choice, LightSample s, inout Tally tal
 
 BsdfSample nextDirection(Vertex v) {
   SamplePair pair = pairAt(v.seed, v.index, v.bounce + 1u);
-  return sampleBsdf(lobesOf(v), v.wo, pair.x, pair.y, lobeKinds());
+  return sampleBsdf(lobesOf(v), v.wo, pair.x, pair.y, facetNumber(v.seed, v.index, v.bounce), lobeKinds());
 }
 
 // Less what is absorbed on a way of t.

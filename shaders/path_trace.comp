@@ -79,7 +79,7 @@ void main() {
     uint index = ended ? path.index + 1u : path.index;
     SamplePair pair = pairAt(seed, index, ended ? 0u : path.bounce + 1u);
     Lobes lobes = lobesAt(v.material, primitive, v.wo.z, v.inside, v.thin);
-    BsdfDraw drawn = drawBsdf(lobes, v.wo, pair.x, pair.y, lobeKinds());
+    BsdfDraw drawn = drawBsdf(lobes, v.wo, pair.x, pair.y, facetNumber(seed, path.index, path.bounce), lobeKinds());
 
     // Add what the surface emits, and what the lights send it; or what the sky sends.
     bool lit = !missed && alive && samplesLights(path);

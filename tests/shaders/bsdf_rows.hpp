@@ -28,7 +28,7 @@ struct Material {
   float eta = 1.5f;
   bool thin = false;
   float coat = 0.0f, coatAlpha = 1.0f;
-  float transmitChance = 0.0f, coatChance = 0.0f;
+  float coatChance = 0.0f;
 };
 
 /// glTF's mixture (appendix B) as the host and scene.glsl make it.
@@ -52,7 +52,7 @@ inline void pushBsdf(Rows& rows, const Material& m, glm::vec3 wo, glm::vec3 seco
   rows.insert(rows.end(),
               {glm::vec4(wo, m.alpha), glm::vec4(second, chance), glm::vec4(m.diffuse, m.dielectricF0),
                glm::vec4(m.f0, m.dielectricF90), glm::vec4(m.f90, m.lobes), glm::vec4(m.edge, m.exact),
-               glm::vec4(m.transmit, m.eta), glm::vec4(m.coat, m.coatAlpha, m.transmitChance, m.coatChance),
+               glm::vec4(m.transmit, m.eta), glm::vec4(m.coat, m.coatAlpha, m.coatChance, 0),
                glm::vec4(m.thin, m.exactLoss, m.diffusePassed, 0)});
 }
 

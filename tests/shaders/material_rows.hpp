@@ -37,14 +37,19 @@ struct Share {
 
 inline constexpr std::uint32_t samplesPerShare = 8192;
 
-/// Questions that sample a material at Hammersley's points of the unit square.
+/// The digits of i in `base`, mirrored behind the point (van der Corput).
+inline double radicalInverse(std::uint32_t i, std::uint32_t base) {
+  double inverse = 0.0, digit = 1.0 / base;
+  for (; i != 0; i /= base, digit /= base) inverse += digit * (i % base);
+  return inverse;
+}
+
+/// Questions that sample a material at Hammersley's points of the unit cube.
 inline void pushSamples(Rows& rows, std::size_t material, double mu, float flags) {
   const glm::vec4 wo(glm::vec3(direction(mu, 0.7)), float(material));
-  for (std::uint32_t i = 0; i < samplesPerShare; ++i) {
-    double inverse = 0.0, digit = 0.5;
-    for (std::uint32_t rest = i; rest != 0; rest >>= 1, digit *= 0.5) inverse += digit * (rest & 1u);
-    rows.insert(rows.end(), {wo, glm::vec4((i + 0.5) / samplesPerShare, inverse, 0, flags)});
-  }
+  for (std::uint32_t i = 0; i < samplesPerShare; ++i)
+    rows.insert(rows.end(), {wo, glm::vec4((i + 0.5) / samplesPerShare, radicalInverse(i, 2),
+                                           radicalInverse(i, 3), flags)});
 }
 
 /// Mean of their answers, from index `first` on, one channel.

@@ -17,8 +17,8 @@ Lobes whiteFacets(float alpha) {
 }
 
 const uint kRows = 9u;
-// Rows: (wo, alpha) (wi or u v -, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, lobe bits)
-//       (edge, exact) (transmit, eta) (coat, coat alpha, transmit chance, coat chance) (thin, exact loss, diffuse passed, -).
+// Rows: (wo, alpha) (wi or u v w, chance) (diffuse, dielectric f0) (f0, dielectric f90) (f90, lobe bits)
+//       (edge, exact) (transmit, eta) (coat, coat alpha, coat chance, -) (thin, exact loss, diffuse passed, -).
 struct Question {
   Lobes lobes;
   vec3 wo;
@@ -43,8 +43,7 @@ Question fetchQuestion(uint at) {
   lobes.eta = rows[6].w;
   lobes.coat = rows[7].x;
   lobes.coatAlpha = rows[7].y;
-  lobes.transmitChance = rows[7].z;
-  lobes.coatChance = rows[7].w;
+  lobes.coatChance = rows[7].z;
   lobes.thin = rows[8].x != 0.0;
   lobes.exactLoss = rows[8].y;
   lobes.diffusePassed = rows[8].z;
@@ -54,8 +53,8 @@ Question fetchQuestion(uint at) {
   return Question(lobes, rows[0].xyz, rows[1].xyz, kinds);
 }
 
-void answerSample(uint at, Question q, float u, float v) {
-  BsdfSample s = sampleBsdf(q.lobes, q.wo, u, v, q.kinds);
+void answerSample(uint at, Question q, vec3 numbers) {
+  BsdfSample s = sampleBsdf(q.lobes, q.wo, numbers.x, numbers.y, numbers.z, q.kinds);
   BsdfValue value = evalBsdf(q.lobes, q.wo, s.wi, q.kinds);
   answers[3u * at] = vec4(s.wi, 0.0);
   answers[3u * at + 1u] = vec4(s.weight, 0.0);
@@ -70,11 +69,12 @@ void main() {
     answers[at] = vec4(value.fCos, value.pdf);
   } else if (kOperation == 1u) {
     Question q = fetchQuestion(at);
-    answerSample(at, q, q.second.x, q.second.y);
+    answerSample(at, q, q.second);
   } else if (kOperation == 2u) {
     // One material and outgoing direction for all; independent numbers.
-    answerSample(at, fetchQuestion(0u), sampleIndependent(0x2545f491u, at, 0u),
-                 sampleIndependent(0x2545f491u, at, 1u));
+    vec3 numbers = vec3(sampleIndependent(0x2545f491u, at, 0u), sampleIndependent(0x2545f491u, at, 1u),
+                        sampleIndependent(0x2545f491u, at, 2u));
+    answerSample(at, fetchQuestion(0u), numbers);
   } else if (kOperation == 3u) {
     // White mirror facets: (wo, alpha) (wi, -).
     vec4 a = questions[2u * at];
@@ -101,7 +101,7 @@ void main() {
     answers[at] = vec4(value.fCos, value.pdf);
   } else {
     Question q = fetchQuestion(at);
-    Lobes chosen = withChances(q.lobes, q.wo.z, q.kinds);
-    answers[at] = vec4(chosen.chance, chosen.transmitChance, chosen.coatChance, diffuseChance(chosen, q.kinds));
+    Lobes chosen = withChances(q.lobes, q.wo.z, glassReflectance(q.lobes, q.wo.z), 0.1, q.kinds);
+    answers[at] = vec4(chosen.chance, chosen.coatChance, diffuseChance(chosen, q.kinds), 0.0);
   }
 }
