@@ -140,9 +140,13 @@ class Measurement {
     const cli::ImageDifference d = cli::differenceOf(renderer_.radiance(), reference.picture);
     constexpr cli::Encodings kDisplay{cli::Encoding::display, cli::Encoding::display};
     const cli::ImageDifference shown = cli::differenceOf(renderer_.displayed(), reference.shown, kDisplay);
-    return {stats.samples,         stats.traceSeconds,
-            d.mse - reference.mse, d.relMse - reference.relMse,
-            shown.smapeDisplay,    estimate.valid ? estimate.rmse : 0.0};
+    Sample sample{stats.samples, stats.traceSeconds, d.mse - reference.mse, d.relMse - reference.relMse,
+                  shown.smapeDisplay};
+    if (estimate.valid) {
+      sample.estimatedMse = estimate.rmse * estimate.rmse;
+      sample.estimatedRelMse = estimate.relRmse * estimate.relRmse;
+    }
+    return sample;
   }
 
   Renderer& renderer_;

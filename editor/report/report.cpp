@@ -26,6 +26,14 @@ double root(double square) {
   return std::sqrt(std::max(square, 0.0));
 }
 
+/// Estimated over true error, 0 where nothing was estimated or found.
+double ratioOf(const std::vector<std::vector<Sample>>& runs, std::size_t point, double Sample::*estimated,
+               double Sample::*found) {
+  double of = 0.0, over = 0.0;
+  for (const auto& run : runs) of += run[point].*estimated, over += run[point].*found;
+  return over > 0.0 ? std::sqrt(of / over) : 0.0;
+}
+
 CurvePoint pointOf(const std::vector<std::vector<Sample>>& runs, std::size_t i) {
   CurvePoint point;
   point.samples = runs.front()[i].samples;
@@ -33,12 +41,8 @@ CurvePoint pointOf(const std::vector<std::vector<Sample>>& runs, std::size_t i) 
   point.rmse = spreadOf(at(runs, i, [](const Sample& s) { return root(s.mse); }));
   point.relRmse = spreadOf(at(runs, i, [](const Sample& s) { return root(s.relMse); }));
   point.smapeDisplay = spreadOf(at(runs, i, [](const Sample& s) { return s.smapeDisplay; }));
-  double estimated = 0.0, found = 0.0;
-  for (const auto& run : runs) {
-    estimated += run[i].estimatedRmse * run[i].estimatedRmse;
-    found += run[i].mse;
-  }
-  point.meterRatio = found > 0.0 ? std::sqrt(estimated / found) : 0.0;
+  point.meterRatio = ratioOf(runs, i, &Sample::estimatedMse, &Sample::mse);
+  point.relMeterRatio = ratioOf(runs, i, &Sample::estimatedRelMse, &Sample::relMse);
   return point;
 }
 

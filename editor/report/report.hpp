@@ -19,14 +19,15 @@ struct Sample {
   std::uint64_t samples = 0;
   double seconds = 0.0;  // of tracing
   double mse = 0.0, relMse = 0.0, smapeDisplay = 0.0;
-  double estimatedRmse = 0.0;  // what the error meter said; 0 without it
+  double estimatedMse = 0.0, estimatedRelMse = 0.0;  // what the error meter said; 0 without it
 };
 
 /// All runs at one sample count.
 struct CurvePoint {
   std::uint64_t samples = 0;
   Spread seconds, rmse, relRmse, smapeDisplay;
-  double meterRatio = 0.0;  // estimated / true RMSE, root mean squares over the runs; 0 without the meter
+  // Estimated / true, root mean squares over the runs; 0 without the meter.
+  double meterRatio = 0.0, relMeterRatio = 0.0;
 };
 
 struct Curve {

@@ -19,6 +19,10 @@ Json jsonOf(const std::optional<PowerLaw>& law) {
   return law ? Json(law->exponent) : Json(nullptr);
 }
 
+Json ratioJson(double ratio) {
+  return ratio > 0.0 ? Json(ratio) : Json(nullptr);
+}
+
 Json jsonOf(const CurvePoint& p) {
   return {{"samples", p.samples},
           {"seconds", jsonOf(p.seconds)},
@@ -26,7 +30,8 @@ Json jsonOf(const CurvePoint& p) {
           {"relRmse", jsonOf(p.relRmse)},
           {"relMse", p.relRmse.median * p.relRmse.median},
           {"smapeDisplay", jsonOf(p.smapeDisplay)},
-          {"meterRatio", p.meterRatio > 0.0 ? Json(p.meterRatio) : Json(nullptr)}};
+          {"meterRatio", ratioJson(p.meterRatio)},
+          {"relMeterRatio", ratioJson(p.relMeterRatio)}};
 }
 
 Json jsonOf(const Curve& curve) {
@@ -71,6 +76,11 @@ std::string targetText(const Curve& curve) {
   return early ? "< " + shortDuration(curve.points.front().seconds.median) : "-";
 }
 
+/// Absolute and relative.
+std::string meterText(const CurvePoint& p) {
+  return p.meterRatio > 0.0 ? cli::text("%.2f, %.2f", p.meterRatio, p.relMeterRatio) : "-";
+}
+
 std::string rowOf(const Curve& curve) {
   const CurvePoint& last = curve.points.back();
   return "| " + curve.label + cli::text(" | %llu | ", (unsigned long long)(last.samples)) +
@@ -78,8 +88,7 @@ std::string rowOf(const Curve& curve) {
          cli::text(" | %.3g %% | %.3g | %.3g | %.3g | ", last.relRmse.median * 100.0, last.rmse.median,
                    last.relRmse.median * last.relRmse.median, last.smapeDisplay.median) +
          slopeText(curve.relRmseOverSamples) + " | " + targetText(curve) +
-         cli::text(" | %.3g | ", curve.efficiency) +
-         (last.meterRatio > 0.0 ? cli::text("%.2f", last.meterRatio) : "-") +
+         cli::text(" | %.3g | ", curve.efficiency) + meterText(last) +
          cli::text(" | %llu |\n", (unsigned long long)(curve.nan));
 }
 
@@ -93,8 +102,8 @@ constexpr const char* kFoot =
     "square by reference^2 + 0.01, SMAPE is of the picture as the scene displays it: exposure, tonemapper "
     "and transfer. The reference has another seed; its own "
     "error, known from its half-buffers, is taken off. Slope: of log relRMSE over log samples, last four "
-    "doublings. ~: extrapolated along it. Efficiency: 1 / (MSE x seconds). Meter: RMSE estimated live / "
-    "true.\n";
+    "doublings. ~: extrapolated along it. Efficiency: 1 / (MSE x seconds). Meter: error estimated live / "
+    "true, of RMSE and of relRMSE.\n";
 
 }  // namespace
 

@@ -58,8 +58,8 @@ TEST(Curve, is_the_median_of_its_runs_with_slope_time_and_efficiency) {
   for (std::size_t r = 0; r < 3; ++r)
     for (std::uint64_t n = 1; n <= 64; n *= 2) {
       const double relRmse = 0.4 / std::sqrt(double(n)) * (r == 2 ? 3.0 : 1.0);  // one run is an outlier
-      runs[r].push_back(
-          {n, 0.01 * double(n), 4.0 * relRmse * relRmse, relRmse * relRmse, 0.1, 2.2 * relRmse});
+      const double relMse = relRmse * relRmse, mse = 4.0 * relMse;
+      runs[r].push_back({n, 0.01 * double(n), mse, relMse, 0.1, 1.21 * mse, 0.81 * relMse});
     }
   const Curve curve = curveOf("id", "label", runs);
   ASSERT_EQ(curve.points.size(), 7u);
@@ -70,4 +70,5 @@ TEST(Curve, is_the_median_of_its_runs_with_slope_time_and_efficiency) {
   EXPECT_TRUE(curve.secondsToTarget->extrapolated);
   EXPECT_NEAR(curve.efficiency, 1.0 / (0.01 * 0.64), 1e-6);
   EXPECT_NEAR(curve.points.back().meterRatio, 1.1, 1e-9);
+  EXPECT_NEAR(curve.points.back().relMeterRatio, 0.9, 1e-9);
 }
