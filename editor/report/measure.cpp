@@ -88,15 +88,20 @@ class Measurement {
     return matter;
   }
 
-  /// Seconds per sample of the film, from a short run.
+  /// Seconds per sample of the film, from a short run behind a first sample: on some drivers that one
+  /// compiles.
   double calibrated() {
     start(baseline(), scene_.render.seed);
-    std::uint64_t samples = 1;
-    for (; renderer_.stats().traceSeconds < kCalibrationSeconds && samples < options_.maxSamples;
-         samples *= 2)
+    traceTo(1, "calibration");
+    const double first = renderer_.stats().traceSeconds;
+    std::uint64_t samples = 2;
+    for (; samples < options_.maxSamples; samples *= 2) {
       traceTo(samples, "calibration");
+      if (renderer_.stats().traceSeconds - first >= kCalibrationSeconds) break;
+    }
     traced_ = 0.0;
-    return renderer_.stats().traceSeconds / double(std::max<std::uint64_t>(renderer_.stats().samples, 1));
+    const double more = double(std::max<std::uint64_t>(renderer_.stats().samples, 2) - 1);
+    return (renderer_.stats().traceSeconds - first) / more;
   }
 
   Reference referenceOf(const Variant& variant, std::uint64_t samples) {
